@@ -93,6 +93,16 @@ void PlanArguments::add_driving_to(CLI::App& command) {
                   "With which the plan begins, negative backwards; default: 0, at rest. With --queries of each plan")
       ->type_name("M/S");
   command.add_option("--goal-speed", goal_speed, "With which the plan ends; likewise")->type_name("M/S");
+  CLI::Option* named =
+      command
+          .add_option("--moving", moving, "Moving obstacles, as JSON: the plan waits for them, or drives more slowly")
+          ->type_name("M.json");
+  command
+      .add_option("--horizon", horizon,
+                  "Time up to which --moving is looked at; default: " + shortest_text(EvasionOptions{}.horizon) +
+                      ", or twice the plan's travel time if that is more")
+      ->type_name("SECONDS")
+      ->needs(named);
 }
 
 void PlanArguments::add_outputs_to(CLI::App& command) {
@@ -125,7 +135,7 @@ void PlanArguments::add_outputs_to(CLI::App& command) {
 }
 
 std::vector<std::string> PlanArguments::inputs() const {
-  std::vector<std::string> files{map, robot, queries};
+  std::vector<std::string> files{map, robot, queries, moving};
   files.insert(files.end(), added.begin(), added.end());
   return files;
 }
@@ -143,6 +153,9 @@ void PlanArguments::check() const {
   } else if (!out.empty()) {
     throw UsageError("--out: only with --queries; see --json and --csv for one plan");
   }
+  if (!moving.empty() && (batch() || alternatives > 1 || !waypoints.empty()))
+    throw UsageError("--moving: only a single plan evades; leave out --queries, --alternatives and --waypoint");
+  if (!(evasion(0.0).horizon > 0.0)) throw UsageError("--horizon: above 0 s, got " + in_quotes(horizon));
   if (!sample_step.empty() && csv.empty() && ros_path.empty())
     throw UsageError("--sample-step: only with --csv or --ros-path");
   if (!(sampling().max_length > 0.0)) throw UsageError("--sample-step: above 0 m, got " + in_quotes(sample_step));
@@ -209,6 +222,12 @@ EndSpeeds PlanArguments::end_speeds() const {
     return text.empty() ? 0.0 : parse_number(text, option);
   };
   return {speed(start_speed, "--start-speed"), speed(goal_speed, "--goal-speed")};
+}
+
+EvasionOptions PlanArguments::evasion(double travel_time) const {
+  constexpr double kHorizonShare = 2.0;  // of the travel time: as long again to wait
+  if (!horizon.empty()) return {.horizon = parse_number(horizon, "--horizon")};
+  return {.horizon = std::max(EvasionOptions{}.horizon, kHorizonShare * travel_time)};
 }
 
 PathSampling PlanArguments::sampling() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arcway/datasets/plan_io.h"
+#include "arcway/moving_obstacle.h"
 #include "arcway/planner.h"
 #include "arcway/process_group.h"
 #include "bench/cli/arguments.h"
@@ -31,6 +32,8 @@ struct PlanArguments {
   bool reverse = false;
   std::string cusp_cost, max_gear_changes;
   std::string start_speed, goal_speed;
+  std::string moving, horizon;
+  std::vector<MovingObstacle> obstacles;  ///< of the file `moving`
   std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
   std::vector<std::string> leave_out;
   std::string svg, json, csv, ros_path;
@@ -57,6 +60,9 @@ struct PlanArguments {
   [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
   [[nodiscard]] std::optional<std::uint32_t> most_gear_changes() const;
   [[nodiscard]] EndSpeeds end_speeds() const;
+  /// The time up to which a plan evades moving obstacles: --horizon, by default
+  /// EvasionOptions::horizon, or twice the plan's travel time if that is more.
+  [[nodiscard]] EvasionOptions evasion(double travel_time) const;
   [[nodiscard]] PathSampling sampling() const;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/datasets/moving_io.h"
 #include "arcway/datasets/robot.h"
 #include "arcway/planner.h"
 #include "arcway/stop_clock.h"
@@ -135,6 +136,7 @@ int run_plan(PlanArguments arguments, const ProcessGroup& process_group, std::st
   arguments.check();
   const PlannerOptions options = arguments.planner_options(process_group);
   const PlanLimits limits = arguments.limits();
+  if (!arguments.moving.empty()) arguments.obstacles = read_moving_obstacles(input_file(arguments.moving));
   Requests requests = read_requests(arguments);
   const auto& [start, request, queries, query_warnings] = requests;
 

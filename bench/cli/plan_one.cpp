@@ -9,6 +9,7 @@
 #include "arcway/curved_plan.h"
 #include "arcway/datasets/plan_io.h"
 #include "arcway/datasets/svg.h"
+#include "arcway/evading_plan.h"
 #include "bench/cli/counts_json.h"
 #include "core/base/shortest_text.h"
 #include "core/gaps/bottleneck_finder.h"
@@ -136,6 +137,7 @@ std::string plan_json(const PreparedPlanner& prepared, const TourRequest& reques
   auto json = nlohmann::ordered_json::parse(plan_to_json(plan.result, q, planner.vehicle().parameters()));
   if (plan.result.solved() && request.goals.size() > 1) json["goal_index"] = plan.goal;
   if (plan.result.solved() && !request.waypoints.empty()) json["passed"] = plan.passed;
+  if (plan.evasion) json["evasion"] = {{"delay", plan.evasion->delay}, {"waiting", plan.evasion->waiting}};
   auto& statistics = json["statistics"];
   statistics["backend"] = arguments.build.backend;
   statistics["graph"] = planner.feasible_graph().finished() == nullptr ? "lazy" : "eager";
@@ -149,6 +151,18 @@ std::string plan_json(const PreparedPlanner& prepared, const TourRequest& reques
   if (has_all_rows(planner)) statistics["visibility_edges"] = planner.visibility_graph().edge_count();
   statistics.update(json_of(planner.feasible_graph().counts()));
   return json.dump() + "\n";
+}
+
+// The plan with a motion that evades the moving obstacles, checked.
+CheckedPlan evading_and_checked(const PlanArguments& arguments, const Planner& planner, PlanResult result) {
+  const Validator validator(planner.world());
+  if (arguments.moving.empty()) return checked(validator, planner.vehicle(), std::move(result), arguments.reverse);
+  const double planned_time = result.travel_time;
+  CheckedPlan plan =
+      checked(validator, planner.vehicle(), evading_plan(result, arguments.obstacles, arguments.evasion(planned_time)),
+              arguments.reverse, arguments.obstacles);
+  if (plan.result.solved()) plan.evasion = evasion_of(plan.result, planner.vehicle(), planned_time);
+  return plan;
 }
 
 // Plans to the only goal, which has a heading.
@@ -184,8 +198,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   const bool is_moving = arguments.end_speeds().is_moving();
   if (arguments.alternatives == 1 && !is_moving) {
     Tour tour = plan_tour(planner, request, limits);
-    const Validator validator(planner.world());
-    plans.push_back(checked(validator, planner.vehicle(), std::move(tour.plan), request.reverse));
+    plans.push_back(evading_and_checked(arguments, planner, std::move(tour.plan)));
     plans.back().goal = tour.goal;
     plans.back().passed = std::move(tour.passed);
     return plans;
@@ -198,9 +211,7 @@ std::vector<CheckedPlan> plans_of(const PlanArguments& arguments, const Planner&
   std::vector<PlanResult> results = arguments.alternatives == 1
                                         ? std::vector{planner.plan(asked, limits)}
                                         : plan_alternatives(planner, asked, arguments.alternatives, limits);
-  const Validator validator(planner.world());
-  for (PlanResult& result : results)
-    plans.push_back(checked(validator, planner.vehicle(), std::move(result), request.reverse));
+  for (PlanResult& result : results) plans.push_back(evading_and_checked(arguments, planner, std::move(result)));
   return plans;
 }
 
@@ -233,7 +244,9 @@ int plan_one(const PreparedPlanner& prepared, const TourRequest& request, const 
   out += row("start", pose_text(request.start));
   for (const Place& place : request.waypoints) out += row("waypoint", place_text(place));
   if (result.solved()) {
-    out += row("goal", pose_text(result.goal)) + result_rows(result) + validity_row(plan);
+    out += row("goal", pose_text(result.goal)) + result_rows(result);
+    if (plan.evasion) out += row("moving obstacles", to_string(*plan.evasion));
+    out += validity_row(plan);
   } else {
     for (const Place& goal : request.goals) out += row("goal", place_text(goal));
   }
@@ -290,8 +303,7 @@ int plan_curved(const PlanArguments& arguments, LoadedMap& map, const TourReques
                       shortest_text(tolerances.first) + " m, near the path within " +
                       shortest_text(plan.iterations.back().tolerance) + " m; planned " +
                       count_text(plan.iterations.size()) + (plan.iterations.size() == 1 ? " time" : " times"));
-  const std::vector<CheckedPlan> plans{
-      checked(Validator(plan.planner.world()), plan.planner.vehicle(), std::move(plan.result), request.reverse)};
+  const std::vector<CheckedPlan> plans{evading_and_checked(arguments, plan.planner, std::move(plan.result))};
   return plan_one({arguments, map, plan.planner, build_seconds}, request, plans, output);
 }
 

@@ -20,12 +20,15 @@ std::string defect_of(const PlanResult& result) {
 
 }  // namespace
 
-CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse) {
+CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse,
+                    std::span<const MovingObstacle> moving) {
   CheckedPlan plan{.result = std::move(result), .report = std::nullopt};
   if (plan.result.solved()) {
-    plan.report =
-        validator(vehicle, plan.result.start, plan.result.goal, plan.result.timed_path(),
-                  {.reverse = reverse, .start_speed = plan.result.start_speed, .goal_speed = plan.result.goal_speed});
+    plan.report = validator(vehicle, plan.result.start, plan.result.goal, plan.result.timed_path(),
+                            {.reverse = reverse,
+                             .start_speed = plan.result.start_speed,
+                             .goal_speed = plan.result.goal_speed,
+                             .moving = {moving.begin(), moving.end()}});
     plan.defect = defect_of(plan.result);
   }
   return plan;
@@ -87,8 +90,10 @@ std::string suboptimality_row(double suboptimality) {
 }
 
 std::string validity_row(const CheckedPlan& plan) {
-  std::string text = row("valid", plan.report->valid() ? "yes, every moment of the motion checked"
-                                                       : "NO: " + plan.report->issues.front().message);
+  const ValidationReport& report = *plan.report;
+  std::string text = row("valid", report.valid()          ? "yes, every moment of the motion checked"
+                                  : report.issues.empty() ? "NO: " + to_string(report.conflicts.front())
+                                                          : "NO: " + report.issues.front().message);
   if (!plan.defect.empty()) text += row("DEFECT", plan.defect);
   return text;
 }

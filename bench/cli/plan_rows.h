@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "arcway/moving_obstacle.h"
 #include "arcway/planner.h"
 #include "arcway/validation.h"
+#include "bench/cli/evasion_rows.h"
 
 namespace arcway::internal::cli {
 
@@ -14,12 +17,14 @@ namespace arcway::internal::cli {
 struct CheckedPlan {
   PlanResult result;
   std::optional<ValidationReport> report;
-  std::size_t goal = 0;                  ///< goal reached by a tour, see Tour
-  std::vector<std::size_t> passed = {};  ///< waypoints passed by a tour, see Tour
-  std::string defect = {};               ///< contradiction between planner and validator; else empty
+  std::size_t goal = 0;                        ///< goal reached by a tour, see Tour
+  std::vector<std::size_t> passed = {};        ///< waypoints passed by a tour, see Tour
+  std::optional<EvasionSummary> evasion = {};  ///< with moving obstacles only
+  std::string defect = {};                     ///< contradiction between planner and validator; else empty
   [[nodiscard]] bool good() const { return report && report->valid() && defect.empty(); }
 };
-CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse);
+CheckedPlan checked(const Validator& validator, const Vehicle& vehicle, PlanResult result, bool reverse,
+                    std::span<const MovingObstacle> moving = {});
 
 /// Whether all rows of the reduced graph were found, rather than only those that a search asked for.
 bool has_all_rows(const Planner& planner);

@@ -60,6 +60,8 @@ const char* name_of(PlanStatus status) {
       return "no passage";
     case PlanStatus::kNoPath:
       return "no path";
+    case PlanStatus::kConflict:
+      return "conflict";
     case PlanStatus::kTimeLimit:
       return "time limit";
     case PlanStatus::kCanceled:

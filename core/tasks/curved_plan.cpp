@@ -9,8 +9,8 @@
 #include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
 #include "core/collision/motion_free.h"
-#include "core/motion/clearance.h"
 #include "core/planner/no_path.h"
+#include "core/tasks/measure_clearance.h"
 #include "core/tasks/plan_cost.h"
 
 namespace arcway {
@@ -106,26 +106,13 @@ bool is_free(const Planner& planner, const PlanResult& plan) {
   return motion_free(*planner.queries().sweep, vehicle.body(0.5 * vehicle.safety_margin()), plan.path());
 }
 
-// Measures the clearance of a plan made on other rings among those of this planner.
-void measure_clearance(const Planner& planner, PlanResult& plan) {
-  const Body bare = planner.vehicle().body();
-  for (std::size_t i = 0; i < plan.segments.size(); ++i) {
-    const PathSegment& segment = plan.segments[i].segment;
-    const double clearance = clearance_along(segment, bare, planner.world()).distance;
-    if (i > 0 && clearance >= plan.min_clearance) continue;
-    plan.min_clearance = clearance;
-    plan.clearance_segment = segment;
-    plan.clearance_index = i;
-  }
-}
-
 // Replaces a plan made on coarser rings by the planner's new one, unless that costs more.
 void keep_cheaper(const Planner& planner, double cusp_cost, PlanResult&& found, PlanResult& plan) {
   if (cost_of(found, cusp_cost) <= cost_of(plan, cusp_cost) || !is_free(planner, plan)) {
     plan = std::move(found);
     return;
   }
-  measure_clearance(planner, plan);
+  measure_clearance(planner.world(), planner.vehicle(), plan);
   plan.scene = found.scene;
   plan.lower_bound = std::min(plan.lower_bound, found.lower_bound);  // among finer rings there may be shorter ways
   plan.interrupted = found.interrupted;

@@ -176,7 +176,7 @@ PlanFile plan_of(const JsonPlace& plan) {
   plan.allow_keys({"format",     "version",      "q",           "status",        "reason", "certainty",
                    "bottleneck", "interrupted",  "robot",       "start",         "goal",   "travel_time",
                    "length",     "gear_changes", "lower_bound", "min_clearance", "path",   "statistics",
-                   "goal_index", "passed",       "start_speed", "goal_speed"});
+                   "goal_index", "passed",       "start_speed", "goal_speed",    "evasion"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {

@@ -79,6 +79,62 @@ TEST_F(Tool, ValidatesAmongMovingObstacles) {
   expect_bad_input(validate + file("p.json"), "p.json: ");
 }
 
+// A bar that crosses the map from left to right, and that is gone in time.
+std::string bar(const std::string& x, const std::string& more) {
+  return R"({"obstacles":[{"outline":[[)" + x + ",-5],[" + x + "5,-5],[" + x + "5,65],[" + x + R"(,65]],"velocity":)" +
+         more + "}]}";
+}
+
+TEST_F(Tool, EvadesMovingObstacles) {
+  const std::string plan = "plan " + map_ + kAround + " --json " + file("p.json");
+  const std::string validate = "validate " + map_ + " --path " + file("p.json") + " --moving " + file("m.json");
+  ASSERT_EQ(run(plan).code, 0);
+  const std::string fastest = read("p.json");
+  put("m.json", bar("30", R"([0,0],"until":12)"));
+  ASSERT_EQ(run(validate).code, 1) << "the fastest motion meets it";
+  const Run evading = run(plan + " --csv " + file("p.csv") + " --svg " + file("p.svg") + " --moving " + file("m.json"));
+  ASSERT_EQ(evading.code, 0) << evading.err << evading.out;
+  EXPECT_NE(evading.out.find("moving obstacles    waits "), std::string::npos) << evading.out;
+  EXPECT_NE(evading.out.find(" s later at the goal\n"), std::string::npos) << evading.out;
+  EXPECT_NE(read("p.json").find("\"evasion\":{\"delay\":"), std::string::npos) << read("p.json");
+  const Run valid = run(validate);
+  EXPECT_EQ(valid.code, 0) << valid.out;
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.csv")).code, 0);
+
+  put("m.json", bar("-300", "[0,0]"));
+  const Run unmet = run(plan + " --moving " + file("m.json"));
+  ASSERT_EQ(unmet.code, 0) << unmet.err << unmet.out;
+  EXPECT_NE(unmet.out.find("moving obstacles    none is met\n"), std::string::npos) << unmet.out;
+  const auto path_of = [](const std::string& json) {
+    const std::size_t begin = json.find("\"path\"");
+    return json.substr(begin, json.find("\"statistics\"") - begin);
+  };
+  EXPECT_EQ(path_of(read("p.json")).substr(0, path_of(fastest).size() - 1),
+            path_of(fastest).substr(0, path_of(fastest).size() - 1));
+}
+
+TEST_F(Tool, SaysThatMovingObstaclesCannotBeEvaded) {
+  const std::string plan = "plan " + map_ + kAround + " --json " + file("p.json");
+  put("m.json", bar("30", "[0,0]"));
+  const Run blocked = run(plan + " --moving " + file("m.json"));
+  EXPECT_EQ(blocked.code, 1);
+  EXPECT_NE(blocked.out.find(": conflict\n"), std::string::npos) << blocked.out;
+  EXPECT_NE(blocked.out.find("the horizon of 60 s"), std::string::npos) << blocked.out;
+  EXPECT_NE(blocked.out.find("the fastest motion meets moving obstacle 0 in segment "), std::string::npos)
+      << blocked.out;
+  EXPECT_NE(read("p.json").find("\"status\":\"conflict\""), std::string::npos);
+  EXPECT_NE(read("p.json").find("\"path\":[]"), std::string::npos);
+  put("m.json", bar("30", R"([0,0],"until":80)"));
+  EXPECT_EQ(run(plan + " --moving " + file("m.json")).code, 1);
+  EXPECT_EQ(run(plan + " --horizon 120 --moving " + file("m.json")).code, 0);
+
+  expect_bad_input(plan + " --moving " + file("p.json"), "p.json: ");
+  expect_bad_input(plan + " --horizon 0 --moving " + file("m.json"), "--horizon: above 0 s, got \"0\"");
+  expect_bad_input(plan + " --alternatives 2 --moving " + file("m.json"), "--moving: only a single plan evades");
+  put("m.json", R"({"obstacles":[{"outline":[[0,0],[1,1],[1,0],[0,1]],"velocity":[0,0]}]})");
+  expect_bad_input(plan + " --moving " + file("m.json"), "moving obstacle 0");
+}
+
 TEST_F(Tool, PlansAroundABox) {
   const Run result = run("plan " + map_ + kAround);
   EXPECT_EQ(result.code, 0) << result.err << result.out;

@@ -16,6 +16,7 @@
 #include "arcway/closed_spline.h"
 #include "arcway/curved_plan.h"
 #include "arcway/distance_query.h"
+#include "arcway/evading_plan.h"
 #include "arcway/executor.h"
 #include "arcway/export.h"
 #include "arcway/feasible_graph_snapshot.h"

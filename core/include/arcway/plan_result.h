@@ -33,6 +33,7 @@ enum class PlanStatus {
   kWaypointBlocked,        ///< of a tour: no motion leads to a waypoint, or on from it
   kNoPassage,              ///< proved: no gap is wide enough for the body, in any direction of travel
   kNoPath,                 ///< no path was found, and none is proved not to exist
+  kConflict,               ///< of evading_plan: no motion that was tried avoids the moving obstacles
   kTimeLimit,              ///< the time limit ended the search before it found a path
   kCanceled                ///< a stop was requested before a path was found
 };

@@ -1,0 +1,42 @@
+#include "arcway/evading_plan.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/tasks/measure_clearance.h"
+
+namespace arcway {
+namespace {
+
+PlanResult in_conflict(PlanResult plan, const Trajectory& given, std::span<const MovingObstacle> obstacles,
+                       const std::string& reason) {
+  const std::vector<Conflict> met = conflicts(given, obstacles);
+  plan.status = PlanStatus::kConflict;
+  plan.certainty = Certainty::kGaveUp;
+  plan.reason = reason;
+  if (!met.empty()) plan.reason += "; the fastest motion meets " + to_string(met.front());
+  plan.segments.clear();
+  plan.first_path = {};
+  plan.travel_time = plan.length = plan.min_clearance = 0.0;
+  return plan;
+}
+
+}  // namespace
+
+PlanResult evading_plan(const PlanResult& plan, std::span<const MovingObstacle> obstacles,
+                        const EvasionOptions& options) {
+  if (!plan.solved() || plan.segments.empty()) return plan;
+  const Trajectory given = plan.trajectory();
+  Evasion evasion = evade(given, obstacles, options);
+  if (!evasion.found) return in_conflict(plan, given, obstacles, evasion.reason);
+  if (evasion.travel_time == given.duration()) return plan;
+  PlanResult evading = plan;
+  evading.segments = std::move(evasion.segments);
+  evading.travel_time = evasion.travel_time;
+  evading.clearance_is_lower_bound = false;
+  internal::measure_clearance(plan.scene->world, plan.scene->vehicle, evading);
+  return evading;
+}
+
+}  // namespace arcway
