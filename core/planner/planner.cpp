@@ -265,7 +265,8 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
     const FeasibleGraphInputs inputs{world, vehicle, rows, queries, {vehicle, o.radii}};
     if (o.radii != before.options().radii) return make_feasible_graph(inputs, *o.graph_mode, executor, kSingleProcess);
     if (rows_after && !before.feasible_graph().finished())
-      return change_lazy_feasible_graph(before.data_->map().graph, inputs, change, rows_after->may_differ, executor);
+      return change_lazy_feasible_graph(dynamic_cast<const LazyFeasibleGraph&>(before.feasible_graph()), inputs, change,
+                                        rows_after->may_differ);
     if (*o.graph_mode == GraphMode::kLazy)
       return change_lazy_feasible_graph(before.feasible_graph(), inputs, change, executor);
     return change_feasible_graph(before.feasible_graph(), inputs, change, executor);

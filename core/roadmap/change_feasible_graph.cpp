@@ -19,11 +19,6 @@ namespace arcway::internal {
 namespace {
 
 constexpr std::size_t kChangedAtOnce = 64;  // number of circles that a thread takes at once
-// Largest number of graphs behind a lazy one, and of circles of all of them: some 100 bytes each. After more changes
-// all that is known is copied, which takes longer than a change: 12 ms where 3 plans had asked for 80,000 links.
-constexpr std::size_t kMostGraphsBehind = 8;
-constexpr std::size_t kMostCirclesBehind = 1'000'000;
-
 // What the graph before a change knows of circles that stay, by their indices after it.
 class KeptKnowledge {
  public:
@@ -105,11 +100,6 @@ std::vector<std::uint32_t> those_without(std::span<const std::uint8_t> known) {
   return unknown;
 }
 
-// Whether a graph may keep those alive that it knows from.
-bool may_keep(const FoundBefore& found, std::size_t circles) {
-  return found.graphs() <= kMostGraphsBehind && found.graphs() * circles <= kMostCirclesBehind;
-}
-
 }  // namespace
 
 std::shared_ptr<const FinishedFeasibleGraph> change_feasible_graph(const FeasibleGraph& before,
@@ -161,25 +151,13 @@ std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const Feasib
   return lazy;
 }
 
-// Many parameters because it joins two worlds.
-std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(std::shared_ptr<const FeasibleGraph> before,
+std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const LazyFeasibleGraph& before,
                                                                     const FeasibleGraphInputs& after,
                                                                     const WorldChange& change,
-                                                                    std::span<const VertexId> may_differ,
-                                                                    const Executor& executor) {
-  auto checks = std::make_shared<const CircleChecks>(before->checks(), VertexMap(change), after, may_differ);
-  auto found = std::make_unique<const FoundBefore>(std::move(before), after, *checks, change, may_differ);
-  const std::size_t circles = checks->circles().all().size();
-  if (may_keep(*found, circles)) return std::make_shared<const LazyFeasibleGraph>(std::move(checks), std::move(found));
-  auto lazy = std::make_shared<LazyFeasibleGraph>(std::move(checks));
-  executor.begin_stage("changes");
-  executor.for_ranges(circles, kChangedAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
-      if (const HeadingSet* free = found->headings(c)) lazy->learn_headings(c, *free);
-      if (std::optional<CheckedRow> row = found->row(c)) lazy->learn_row(c, std::move(*row));
-    }
-  });
-  return lazy;
+                                                                    std::span<const VertexId> may_differ) {
+  auto checks = std::make_shared<const CircleChecks>(before.checks(), VertexMap(change), after, may_differ);
+  auto found = std::make_unique<const FoundBefore>(before, after, *checks, change, may_differ);
+  return std::make_shared<const LazyFeasibleGraph>(std::move(checks), std::move(found));
 }
 
 }  // namespace arcway::internal

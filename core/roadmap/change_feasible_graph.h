@@ -29,12 +29,13 @@ namespace arcway::internal {
                                                                                   const WorldChange& change,
                                                                                   const Executor& executor);
 
-/// A lazy graph after a change of the world, from a lazy one, without asking for rows of the reduced graph. It takes
-/// headings and rows of links from the graph before when they are first asked for: see FoundBefore. It keeps that one
-/// alive, and up to a few before it; every few changes it copies all that they know, and lets them go.
+/// A lazy graph after a change of the world, from a lazy one without added circles, without asking for rows of the
+/// reduced graph. It takes headings and rows of links from what graphs before changes have found, when they are first
+/// asked for: see FoundBefore.
 /// @param may_differ  see VisibilityRows::Changed.
-[[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(
-    std::shared_ptr<const FeasibleGraph> before, const FeasibleGraphInputs& after, const WorldChange& change,
-    std::span<const VertexId> may_differ, const Executor& executor);
+[[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> change_lazy_feasible_graph(const LazyFeasibleGraph& before,
+                                                                                  const FeasibleGraphInputs& after,
+                                                                                  const WorldChange& change,
+                                                                                  std::span<const VertexId> may_differ);
 
 }  // namespace arcway::internal

@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
-#include "core/roadmap/circle_change.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
 namespace {
+
+// Largest number of graphs whose findings are kept: after so many changes a search has asked again for what it needs.
+// Each takes part in every question about a circle that none of them knows.
+constexpr std::size_t kMostGenerations = 32;
+// Largest number of circles of all of these graphs, some 4 bytes each; but two graphs are always kept.
+constexpr std::size_t kMostCircles = 8'000'000;
+// Largest number of boxes of changes without a search in between.
+constexpr std::size_t kMostBoxes = 4096;
 
 // No less than how far a body reaches from a vertex of a circle on that circle: at most an inner and an outer radius.
 double largest_reach(const FeasibleGraphInputs& inputs) {
@@ -21,74 +27,75 @@ double largest_reach(const FeasibleGraphInputs& inputs) {
   return largest;
 }
 
-NearBoxes boxes_of(const World& world, std::span<const VertexId> vertices) {
+std::vector<Box> boxes_of(const WorldChange& change) {
+  std::vector<Box> boxes = change.removed_boxes;
+  boxes.insert(boxes.end(), change.added_boxes.begin(), change.added_boxes.end());
+  return boxes;
+}
+
+std::vector<Box> boxes_of(const World& world, std::span<const VertexId> vertices) {
   std::vector<Box> boxes;
   boxes.reserve(vertices.size());
   for (const VertexId v : vertices) boxes.push_back({world.vertex(v), world.vertex(v)});
-  return NearBoxes(boxes);
+  return boxes;
 }
 
-// The index of a circle among those of another world; kNone if there is none.
-template <class MapVertex>
-std::uint32_t counterpart(std::uint32_t c, const TurnCircles& circles, const TurnCircles& others,
-                          const MapVertex& vertex_of) {
-  const TurnCircle& circle = circles.all()[c];
-  const VertexId v = vertex_of(circle.vertex);
-  if (v == kNone || !others.has(v)) return kNone;
-  if (circle.second == kNone)
-    return others.first_around(v, Side::kLeft) + c - circles.first_around(circle.vertex, Side::kLeft);
-  const VertexId second = vertex_of(circle.second);
-  std::uint32_t found = kNone;
-  if (second == kNone) return found;
-  others.visit_around(v, circle.side, [&](std::uint32_t other) {
-    const TurnCircle& o = others.all()[other];
-    if (o.vertex == v && o.second == second && o.radius == circle.radius) found = other;
-  });
-  return found;
-}
-
-std::size_t graphs_behind(const FeasibleGraph& graph) {
-  const auto* lazy = dynamic_cast<const LazyFeasibleGraph*>(&graph);
-  return lazy ? lazy->graphs_behind() : 0;
+void append(const std::vector<Box>& more, std::vector<Box>& boxes) {
+  boxes.insert(boxes.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
-FoundBefore::FoundBefore(std::shared_ptr<const FeasibleGraph> before, const FeasibleGraphInputs& inputs,
-                         const CircleChecks& after, const WorldChange& change, std::span<const VertexId> may_differ)
-    : before_(std::move(before)),
-      graphs_(1 + graphs_behind(*before_)),
-      after_(after),
-      map_(change),
-      places_(places_of(change, largest_reach(inputs))),
-      differing_(boxes_of(after.world(), may_differ)) {}
-
-std::uint32_t FoundBefore::before_of(std::uint32_t circle) const {
-  return counterpart(circle, after_.circles(), before_->turn_circles(), [this](VertexId v) { return map_.before(v); });
-}
-
-std::uint32_t FoundBefore::after_of(std::uint32_t circle_before) const {
-  return counterpart(circle_before, before_->turn_circles(), after_.circles(),
-                     [this](VertexId v) { return map_.after(v); });
+FoundBefore::FoundBefore(const LazyFeasibleGraph& before, const FeasibleGraphInputs& inputs, const CircleChecks& after,
+                         const WorldChange& change, std::span<const VertexId> may_differ)
+    : after_(after) {
+  const VertexMap map(change);
+  std::vector<Box> obstacles = boxes_of(change), vertices = boxes_of(after.world(), may_differ);
+  if (before.found_before()) generations_ = before.found_before()->generations_;
+  for (Generation& generation : generations_) generation.map = generation.map.then(map);
+  if (!before.found()->empty()) {
+    auto numbers = std::make_shared<const CircleNumbers>(before.checks().world(), before.turn_circles());
+    generations_.insert(generations_.begin(), {before.found(), std::move(numbers), map, nullptr});
+  } else if (!generations_.empty()) {
+    append(generations_.front().places->obstacles(), obstacles);
+    append(generations_.front().places->vertices(), vertices);
+  }
+  if (generations_.empty()) return;
+  generations_.front().places =
+      std::make_shared<const Places>(std::move(obstacles), std::move(vertices), largest_reach(inputs));
+  const std::size_t circles = std::max<std::size_t>(1, after.circles().all().size());
+  std::size_t most = std::clamp<std::size_t>(kMostCircles / circles, 2, kMostGenerations);
+  if (generations_.front().places->size() > kMostBoxes) most = 0;
+  if (generations_.size() > most)
+    generations_.erase(generations_.begin() + static_cast<std::ptrdiff_t>(most), generations_.end());
 }
 
 const HeadingSet* FoundBefore::headings(std::uint32_t circle) const {
   const Vec2& vertex = after_.world().vertex(after_.circles().all()[circle].vertex);
-  if (places_.may_meet(Box{vertex, vertex})) return nullptr;
-  const std::uint32_t was = before_of(circle);
-  return was == kNone ? nullptr : before_->known_headings(was);
+  for (const Generation& generation : generations_) {
+    if (generation.places->may_meet_obstacle(Box{vertex, vertex})) return nullptr;
+    const std::uint32_t was = before(generation, circle);
+    if (const HeadingSet* known = was == kNone ? nullptr : generation.found->headings.find(was)) return known;
+  }
+  return nullptr;
 }
 
 std::optional<CheckedRow> FoundBefore::row(std::uint32_t circle) const {
-  const std::uint32_t was = before_of(circle);
-  std::optional<CheckedRow> known = was == kNone ? std::nullopt : before_->known_row(was);
-  if (!known || known->around.empty() || places_.may_meet(known->around) || differing_.may_meet(known->around))
-    return std::nullopt;
-  for (FeasibleLink& link : known->row.links) {
-    link.from = circle;
-    link.to = after_of(link.to);
+  for (auto at = generations_.begin(); at != generations_.end(); ++at) {
+    const std::uint32_t was = before(*at, circle);
+    const FoundLinks::Row* known = was == kNone ? nullptr : at->found->rows.find(was);
+    if (!known || known->around.empty()) continue;
+    const bool holds = std::none_of(generations_.begin(), at + 1,
+                                    [&](const Generation& later) { return later.places->may_meet(known->around); });
+    if (!holds) return std::nullopt;
+    CheckedRow row = known->checked();
+    for (FeasibleLink& link : row.row.links) {
+      link.from = circle;
+      link.to = at->numbers->after(link.to, after_.circles(), at->map);
+    }
+    return row;
   }
-  return known;
+  return std::nullopt;
 }
 
 }  // namespace arcway::internal

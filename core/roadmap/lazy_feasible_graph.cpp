@@ -1,5 +1,6 @@
 #include "core/roadmap/lazy_feasible_graph.h"
 
+#include <atomic>
 #include <utility>
 
 #include "core/roadmap/found_before.h"
@@ -25,28 +26,23 @@ LazyFeasibleGraph::LazyFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
     : FeasibleGraph(std::move(checks)),
       base_(std::move(base)),
       base_count_(base_ ? base_->circles().size() : 0),
-      headings_(circles().size()),
-      rows_(circles().size()) {}
-
-LazyFeasibleGraph::Row::Row(CheckedRow known) : Row(std::move(known.row), known.around) {
-  for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i].store(known.verdicts[i], std::memory_order_relaxed);
-}
+      own_(std::make_shared<const FoundLinks>(circles().size())) {}
 
 const HeadingSet& LazyFeasibleGraph::free_headings(std::uint32_t circle) const {
   if (circle < base_count_) return base_->free_headings(circle);
-  return headings_.get(circle, [&] {
+  return own_->headings.get(circle, [&] {
     const HeadingSet* known = found_ ? found_->headings(circle) : nullptr;
     return std::make_unique<const HeadingSet>(known ? *known : checks().free_headings(circle));
   });
 }
 
-const LazyFeasibleGraph::Row& LazyFeasibleGraph::row_of(std::uint32_t circle, const StopClock& clock) const {
-  return rows_.get(circle, [&] {
+const FoundLinks::Row& LazyFeasibleGraph::row_of(std::uint32_t circle, const StopClock& clock) const {
+  return own_->rows.get(circle, [&] {
     if (std::optional<CheckedRow> known = found_ ? found_->row(circle) : std::nullopt)
-      return std::make_unique<const Row>(*std::move(known));
+      return std::make_unique<const FoundLinks::Row>(*std::move(known));
     Box around;
     LinkRow row = checks().departures(circle, free_headings(circle), clock, &around);
-    return std::make_unique<const Row>(std::move(row), around);
+    return std::make_unique<const FoundLinks::Row>(std::move(row), around);
   });
 }
 
@@ -55,7 +51,7 @@ std::span<const FeasibleGraph::Link> LazyFeasibleGraph::links_from(std::uint32_t
 }
 
 bool LazyFeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {
-  const Row& row = row_of(circle);
+  const FoundLinks::Row& row = row_of(circle);
   std::atomic<LinkVerdict>& verdict = row.verdicts[index];
   if (const LinkVerdict known = verdict.load(std::memory_order_relaxed); known != LinkVerdict::kUnknown)
     return known == LinkVerdict::kKept;
@@ -73,45 +69,37 @@ bool LazyFeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {
 FeasibleGraphCounts LazyFeasibleGraph::counts() const {
   FeasibleGraphCounts sum;
   sum.circles = circles().size();
-  for (std::uint32_t c = 0; c < circles().size(); ++c) {
-    if (const HeadingSet* set = headings_.find(c); set && set->empty()) ++sum.circles_blocked;
-    const Row* row = rows_.find(c);
-    if (!row) continue;
-    add_counts(row->row.counts, sum);
-    for (const std::atomic<LinkVerdict>& verdict : row->verdicts) {
+  own_->headings.visit([&](std::size_t, const HeadingSet& set) { sum.circles_blocked += set.empty() ? 1 : 0; });
+  own_->rows.visit([&](std::size_t, const FoundLinks::Row& row) {
+    add_counts(row.row.counts, sum);
+    for (const std::atomic<LinkVerdict>& verdict : row.verdicts) {
       const LinkVerdict known = verdict.load(std::memory_order_relaxed);
       sum.kept += known == LinkVerdict::kKept ? 1 : 0;
       sum.rejected_arrival += known == LinkVerdict::kArrival ? 1 : 0;
       sum.rejected_straight += known == LinkVerdict::kStraight ? 1 : 0;
     }
-  }
+  });
   return sum;
 }
 
 const HeadingSet* LazyFeasibleGraph::known_headings(std::uint32_t circle) const {
   if (circle < base_count_) return base_->known_headings(circle);
-  const HeadingSet* known = headings_.find(circle);
+  const HeadingSet* known = own_->headings.find(circle);
   return known || !found_ ? known : found_->headings(circle);
 }
 
 std::optional<CheckedRow> LazyFeasibleGraph::known_row(std::uint32_t circle) const {
-  const Row* row = rows_.find(circle);
+  const FoundLinks::Row* row = own_->rows.find(circle);
   if (!row) return found_ ? found_->row(circle) : std::nullopt;
-  CheckedRow known{row->row, {}, row->around};
-  known.verdicts.reserve(row->verdicts.size());
-  for (const std::atomic<LinkVerdict>& verdict : row->verdicts)
-    known.verdicts.push_back(verdict.load(std::memory_order_relaxed));
-  return known;
+  return row->checked();
 }
 
-std::size_t LazyFeasibleGraph::graphs_behind() const { return found_ ? found_->graphs() : 0; }
-
 void LazyFeasibleGraph::learn_headings(std::uint32_t circle, HeadingSet headings) {
-  (void)headings_.get(circle, [&] { return std::make_unique<const HeadingSet>(std::move(headings)); });
+  (void)own_->headings.get(circle, [&] { return std::make_unique<const HeadingSet>(std::move(headings)); });
 }
 
 void LazyFeasibleGraph::learn_row(std::uint32_t circle, CheckedRow row) {
-  (void)rows_.get(circle, [&] { return std::make_unique<const Row>(std::move(row)); });
+  (void)own_->rows.get(circle, [&] { return std::make_unique<const FoundLinks::Row>(std::move(row)); });
 }
 
 }  // namespace arcway::internal

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "core/roadmap/feasible_graph.h"
-#include "core/roadmap/slot_cache.h"
+#include "core/roadmap/found_links.h"
 
 namespace arcway::internal {
 
@@ -37,8 +35,9 @@ class LazyFeasibleGraph final : public FeasibleGraph {
   [[nodiscard]] const HeadingSet* known_headings(std::uint32_t circle) const override;
   [[nodiscard]] std::optional<CheckedRow> known_row(std::uint32_t circle) const override;
 
-  /// Number of graphs before changes that this one keeps alive.
-  [[nodiscard]] std::size_t graphs_behind() const;
+  /// What this graph has found, and what it knows from graphs before changes; the latter may be null.
+  [[nodiscard]] const std::shared_ptr<const FoundLinks>& found() const { return own_; }
+  [[nodiscard]] const FoundBefore* found_before() const { return found_.get(); }
 
   /// Remembers the free headings of a circle, found elsewhere. No effect if they are known.
   void learn_headings(std::uint32_t circle, HeadingSet headings);
@@ -46,21 +45,12 @@ class LazyFeasibleGraph final : public FeasibleGraph {
   void learn_row(std::uint32_t circle, CheckedRow row);
 
  private:
-  // Each link is decided when it is first asked for.
-  struct Row {
-    Row(LinkRow r, const Box& box) : row(std::move(r)), around(box), verdicts(row.links.size()) {}
-    explicit Row(CheckedRow known);
-    LinkRow row;
-    Box around;  // see CircleChecks::departures
-    mutable std::vector<std::atomic<LinkVerdict>> verdicts;
-  };
-  [[nodiscard]] const Row& row_of(std::uint32_t circle, const StopClock& clock = {}) const;
+  [[nodiscard]] const FoundLinks::Row& row_of(std::uint32_t circle, const StopClock& clock = {}) const;
 
   std::shared_ptr<const FeasibleGraph> base_;  // may be null
   std::size_t base_count_;                     // circles whose headings it knows
   std::unique_ptr<const FoundBefore> found_;   // may be null
-  SlotCache<HeadingSet> headings_;             // of the other circles
-  SlotCache<Row> rows_;
+  std::shared_ptr<const FoundLinks> own_;      // without the headings that `base_` knows
 };
 
 }  // namespace arcway::internal

@@ -13,6 +13,7 @@
 #include "arcway/datasets/map_file.h"
 #include "arcway/planner.h"
 #include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/found_before.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
@@ -127,16 +128,16 @@ TEST(ChangedPlanners, ThatAreEagerHaveTheGraphsOfNewOnes) {
 }
 
 // An obstacle moves in steps, as in a replanning loop.
-TEST(ChangedPlanners, PlanAsNewOnesWhereAnObstacleMoves) {
+void expect_plans_of_new_ones(const Vehicle& vehicle, int steps) {
   const char* name = "clutter/convex/n200/m8/f25/s3";
   const World world = catalog_world(name);
   const std::vector<PlanRequest> requests = catalog_queries(name, 4, 1);
-  Planner planner(world, Vehicle{}, accel_backend(world));
+  Planner planner(world, vehicle, accel_backend(world));
   ObstacleKey key = 90;
   Polygon moving = to_map_file(world).obstacles[90];
   std::vector<Polygon> others = to_map_file(world).obstacles;
   others.erase(others.begin() + 90);
-  for (int step = 0; step < 12; ++step) {
+  for (int step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
     for (const PlanRequest& request : requests) (void)planner.plan(request);
     for (Vec2& p : moving.outer) p += Vec2(0.5, -0.25);
@@ -145,13 +146,20 @@ TEST(ChangedPlanners, PlanAsNewOnesWhereAnObstacleMoves) {
     std::vector<Polygon> all = others;
     all.push_back(moving);
     const World after(all, to_map_file(world).bounds);
-    const Planner anew(after, Vehicle{}, accel_backend(after));
+    const Planner anew(after, vehicle, accel_backend(after));
     for (const PlanRequest& request : requests) test::expect_same_plan(planner.plan(request), anew.plan(request));
     expect_same_rows(planner, anew);
     expect_same_links(planner, anew, 7);
-    if (HasFailure()) return;
+    if (testing::Test::HasFailure()) return;
   }
   EXPECT_EQ(planner.world().obstacle_with(90), kNone);
+}
+
+TEST(ChangedPlanners, PlanAsNewOnesWhereAnObstacleMoves) { expect_plans_of_new_ones(Vehicle{}, 12); }
+
+TEST(ChangedPlanners, PlanAsNewOnesWithSeveralRadii) {
+  expect_plans_of_new_ones(
+      Vehicle({.max_speed = 2.0, .turn_speed = LateralAccelerationLimit{1.0}, .max_acceleration = 1.0}), 5);
 }
 
 TEST(ChangedPlanners, KeepWhatIsFarFromTheChange) {
@@ -169,18 +177,48 @@ TEST(ChangedPlanners, KeepWhatIsFarFromTheChange) {
   Planner after = planner.with_obstacles(std::vector<ObstacleKey>{500}, {});
   EXPECT_GT(known_rows(after), before - before / 3);
   EXPECT_LT(known_rows(after), before);
-  // A chain of changes without a plan.
-  const auto graph = [&after]() -> const LazyFeasibleGraph& {
-    return dynamic_cast<const LazyFeasibleGraph&>(after.feasible_graph());
-  };
-  std::size_t most_behind = 0;
+  // A chain of changes without a plan. Where too much has changed, rows and graph are made anew.
+  std::size_t chained = 0;
   for (ObstacleKey key = 501; key < 513; ++key) {
     after = after.with_obstacles(std::vector<ObstacleKey>{key}, {});
-    most_behind = std::max(most_behind, graph().graphs_behind());
+    const auto& graph = dynamic_cast<const LazyFeasibleGraph&>(after.feasible_graph());
+    if (graph.found_before() == nullptr) continue;
+    EXPECT_EQ(graph.found_before()->graphs(), 1u);
+    ++chained;
   }
+  EXPECT_GT(chained, 3u);
   EXPECT_GT(known_rows(after), before / 20);
-  EXPECT_GT(most_behind, 2u);
-  EXPECT_LE(most_behind, 8u);
+}
+
+// What no plan asks for is known for some changes, then forgotten.
+TEST(ChangedPlanners, ForgetWhatNoPlanAsksFor) {
+  const char* name = "clutter/convex/n200/m8/f25/s3";
+  const World world = catalog_world(name);
+  const std::vector<PlanRequest> requests = catalog_queries(name, 5, 1);
+  Planner planner(world, Vehicle{}, accel_backend(world));
+  for (const PlanRequest& request : requests) (void)planner.plan(request);
+  const auto graph = [&]() -> const LazyFeasibleGraph& {
+    return dynamic_cast<const LazyFeasibleGraph&>(planner.feasible_graph());
+  };
+  const auto count_known = [&] {
+    std::size_t count = 0;
+    for (std::uint32_t c = 0; c < graph().circles().size(); ++c) count += graph().known_row(c).has_value() ? 1 : 0;
+    return count;
+  };
+  const std::size_t all = count_known();
+  ObstacleKey key = 0;
+  std::size_t most_behind = 0, after_few = 0;
+  const Polygon there = to_map_file(world).obstacles[key];
+  for (int step = 0; step < 40; ++step) {
+    planner = planner.with_obstacles(std::vector<ObstacleKey>{key}, {there});
+    key = planner.world().key_of(static_cast<ObstacleId>(planner.world().obstacle_count() - 1));
+    (void)planner.plan(requests[0]);
+    most_behind = std::max(most_behind, graph().found_before()->graphs());
+    if (step == 5) after_few = count_known();
+  }
+  EXPECT_GT(after_few, all / 2);
+  EXPECT_LT(count_known(), after_few);
+  EXPECT_EQ(most_behind, 32u);
 }
 
 }  // namespace
