@@ -9,7 +9,7 @@
 
 #include "arcway/executor.h"
 #include "core/planner/strategy.h"
-#include "core/roadmap/lazy_feasible_graph.h"
+#include "core/roadmap/change_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -50,17 +50,24 @@ PlanMaps::PlanMaps(Roadmap map, bool gap_circles)
   if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
+std::shared_ptr<const LazyFeasibleGraph> LazyGraphs::operator()(const Roadmap& map, const CircleRadii& radii,
+                                                                const Roadmap* before) const {
+  const FeasibleGraphInputs inputs{map.world, map.vehicle, rows_, map.queries, radii};
+  const auto* graph = change_ && before && before->radii == radii
+                          ? dynamic_cast<const LazyFeasibleGraph*>(before->graph.get())
+                          : nullptr;
+  if (graph) return change_lazy_feasible_graph(*graph, inputs, change_->change, change_->may_differ);
+  return std::make_shared<const LazyFeasibleGraph>(inputs, executor_);
+}
+
 OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes,
-                     const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor) {
+                     const LazyGraphs& graphs, const OtherMaps* before) {
   const auto map_of = [&](const OtherRoute& route) {
     if (route.radii == smallest.radii.size()) return with_other_turns(smallest, all.vehicle, route.factor);
     if (route.radii == all.radii.size()) return with_other_turns(all, all.vehicle, route.factor);
-    const auto same =
-        std::ranges::find(entries_, route.radii, [](const Entry& entry) { return entry.map.radii.size(); });
-    if (same != entries_.end()) return with_other_turns(same->map, all.vehicle, route.factor);
+    if (const Roadmap* same = with_radii(route.radii)) return with_other_turns(*same, all.vehicle, route.factor);
     const CircleRadii radii = all.radii.first(route.radii);
-    auto lazy = std::make_shared<const LazyFeasibleGraph>(
-        FeasibleGraphInputs{all.world, all.vehicle, rows, all.queries, radii}, executor);
+    auto lazy = graphs(all, radii, before ? before->with_radii(route.radii) : nullptr);
     return with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, route.factor);
   };
   std::vector<OtherRoute> known{{all.radii.size(), 1.0}};
@@ -70,6 +77,11 @@ OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<cons
     known.push_back(there);
     entries_.push_back({route, map_of(there)});
   }
+}
+
+const Roadmap* OtherMaps::with_radii(std::size_t count) const {
+  const auto found = std::ranges::find(entries_, count, [](const Entry& entry) { return entry.map.radii.size(); });
+  return found == entries_.end() ? nullptr : &found->map;
 }
 
 const Roadmap* OtherMaps::find(const OtherRoute& route) const {

@@ -10,8 +10,10 @@
 #include "arcway/executor.h"
 #include "arcway/vehicle.h"
 #include "arcway/visibility_rows.h"
+#include "arcway/world_change.h"
 #include "core/attach/narrow_places.h"
 #include "core/attach/roadmap.h"
+#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -34,6 +36,30 @@ struct PlanMaps {
   std::optional<NarrowPlaces> narrow;
 };
 
+/// Makes the lazy graphs of a planner's further roadmaps.
+class LazyGraphs {
+ public:
+  /// What a planner before a change of the world has found.
+  struct Change {
+    const WorldChange& change;
+    std::span<const VertexId> may_differ;  ///< see VisibilityRows::Changed
+  };
+  /// @param rows  of the reduced graph.
+  /// @param change  null if all is made anew. It and the executor must outlive this.
+  LazyGraphs(std::shared_ptr<const VisibilityRows> rows, const Executor& executor, const Change* change)
+      : rows_(std::move(rows)), executor_(executor), change_(change) {}
+
+  /// The graph of some radii in the world of a roadmap.
+  /// @param before  the roadmap of the same radii before the change; may be null.
+  [[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> operator()(const Roadmap& map, const CircleRadii& radii,
+                                                                    const Roadmap* before) const;
+
+ private:
+  std::shared_ptr<const VisibilityRows> rows_;
+  const Executor& executor_;
+  const Change* change_;
+};
+
 /// A vehicle with turns of the first so many radii, and so many times the lateral acceleration.
 struct OtherRoute {
   std::size_t radii;
@@ -50,10 +76,9 @@ class OtherMaps {
   /// @param all       with more radii than `smallest`.
   /// @param smallest  with the first of them, see tightest_radii.
   /// @param routes    routes that equal one before, or the given maps, have no map.
-  /// @param rows      of the reduced graph of both.
-  /// @param executor  used during the call only.
-  OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes,
-            const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor);
+  /// @param before    the maps before a change; null if there are none.
+  OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes, const LazyGraphs& graphs,
+            const OtherMaps* before);
 
   /// Null if it has no map.
   [[nodiscard]] const Roadmap* find(const OtherRoute& route) const;
@@ -63,6 +88,8 @@ class OtherMaps {
     OtherRoute route;  // as it was given
     Roadmap map;
   };
+  [[nodiscard]] const Roadmap* with_radii(std::size_t count) const;
+
   std::vector<Entry> entries_;
 };
 

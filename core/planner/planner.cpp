@@ -131,7 +131,7 @@ struct Planner::Data {
   // Many parameters because planners that are new, restored or changed have no more in common than these.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const Backend& b, AllOptions all, ReducedGraph reduced,
-       MakeFeasible&& make_feasible, const Executor& executor)
+       MakeFeasible&& make_feasible, const Executor& executor, const MapsBefore* maps_before = nullptr)
       : backend(b),
         given(std::move(all.given)),
         options(std::move(all.checked)),
@@ -140,7 +140,7 @@ struct Planner::Data {
         rows(std::move(reduced.rows)),
         maps(make_map(
                  world, vehicle, b.queries(), options, [&] { return make_feasible(rows, options); }, executor),
-             options, rows, executor),
+             options, rows, executor, maps_before),
         scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
     prepare_statistics.visibility_seconds = reduced.seconds;
     prepare_statistics.feasible_seconds = watch.seconds();
@@ -271,8 +271,10 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
       return change_lazy_feasible_graph(before.feasible_graph(), inputs, change, executor);
     return change_feasible_graph(before.feasible_graph(), inputs, change, executor);
   };
+  std::optional<MapsBefore> maps_before;
+  if (rows_after) maps_before.emplace(MapsBefore{before.data_->maps, {change, rows_after->may_differ}});
   return Planner(std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
-                                              make_feasible, executor));
+                                              make_feasible, executor, maps_before ? &*maps_before : nullptr));
 }
 
 Planner Planner::with_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) const {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/planner/strategy.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -19,7 +18,7 @@ std::vector<OtherRoute> routes_of_strategy() {
 }
 
 PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
-                         const Executor& executor)
+                         const Executor& executor, const MapsBefore* before)
     : all(std::move(map), options.gap_circles),
       slim(all.plain, rows),
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
@@ -28,10 +27,10 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
   const std::size_t tightest_count = plain.radii.tightest(plain.vehicle.footprint(plain.vehicle.safety_margin()));
   if (tightest_count < plain.radii.size()) {
     const CircleRadii smallest = plain.radii.first(tightest_count);
-    auto lazy = std::make_shared<const LazyFeasibleGraph>(
-        FeasibleGraphInputs{plain.world, plain.vehicle, rows, plain.queries, smallest}, executor);
+    const LazyGraphs graphs(rows, executor, before ? &before->change : nullptr);
+    auto lazy = graphs(plain, smallest, before && before->maps.tightest ? &before->maps.tightest->plain : nullptr);
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
-    other = OtherMaps(plain, tightest->plain, routes_of_strategy(), rows, executor);
+    other = OtherMaps(plain, tightest->plain, routes_of_strategy(), graphs, before ? &before->maps.other : nullptr);
   }
   if (options.point_robot_lower_bound && plain.vehicle.body().covers_reference())
     point_distance.emplace(plain.world, rows, plain.outlines);

@@ -17,13 +17,22 @@ namespace arcway::internal {
 /// The routes that rows of the strategy look for, in their order.
 std::vector<OtherRoute> routes_of_strategy();
 
+struct PlannerMaps;
+
+/// The maps of a planner before a change, for those after it.
+struct MapsBefore {
+  const PlannerMaps& maps;
+  LazyGraphs::Change change;
+};
+
 /// All that the queries of one planner share. Immutable but for what is made when first asked for; thread-safe.
 struct PlannerMaps {
   /// @param map       of all radii.
   /// @param rows      of the reduced graph.
   /// @param executor  used during the call only; may end it, see end_if_over.
+  /// @param before    of the world before a change; null if all is made anew.
   PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
-              const Executor& executor);
+              const Executor& executor, const MapsBefore* before = nullptr);
   PlannerMaps(const PlannerMaps&) = delete;  // members refer to `all`
 
   PlanMaps all;

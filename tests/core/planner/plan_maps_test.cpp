@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -13,11 +15,14 @@
 #include "arcway/datasets/random_queries.h"
 #include "arcway/planner.h"
 #include "arcway/visibility_graph.h"
+#include "arcway/world_change.h"
+#include "core/model/vertex_map.h"
 #include "core/motion/speed_profile.h"
 #include "core/planner/planner_maps.h"
 #include "core/refine/refine_path.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "core/search/arrival_search.h"
+#include "tests/support/graph_case.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -102,7 +107,8 @@ TEST_P(SeveralRadii, NoPlanIsSlowerThanThatOfTheSmallestAlone) {
 TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   const std::vector<double>& radii = planner_.options().radii;
   const Roadmap all = lazy_map(planner_, radii), smallest = lazy_map(planner_, {radii.front()});
-  const OtherMaps other_maps(all, smallest, routes_of_strategy(), planner_.visibility_rows(), SerialExecutor());
+  const OtherMaps other_maps(all, smallest, routes_of_strategy(),
+                             LazyGraphs(planner_.visibility_rows(), SerialExecutor(), nullptr), nullptr);
   const std::vector<const Roadmap*> maps = maps_of(other_maps);
   EXPECT_GE(maps.size(), 2u);
   ArrivalSearch search;
@@ -128,13 +134,50 @@ TEST_P(SeveralRadii, OtherWaysArePathsOfTheirMaps) {
   EXPECT_GT(other, 0);
 }
 
+// Vertices of the world after a change that have other neighbors than before.
+std::vector<VertexId> differing(const Planner& before, const Planner& after, const VertexMap& map) {
+  std::vector<VertexId> differ;
+  for (const VertexId v : after.world().convex_vertices()) {
+    const VertexId was = map.before(v);
+    std::vector<VertexId> row;
+    if (was != kNone)
+      for (const VertexId w : before.visibility_rows()->of(was)) row.push_back(map.after(w));
+    if (was == kNone || !std::ranges::equal(row, after.visibility_rows()->of(v))) differ.push_back(v);
+  }
+  return differ;
+}
+
+TEST_P(SeveralRadii, GraphsKeepWhatWasFoundBeforeAChange) {
+  const std::vector<double> tightest{planner_.options().radii.front()};
+  const Roadmap before = lazy_map(planner_, tightest);
+  for (std::uint32_t c = 0; c < before.graph->circles().size(); ++c) (void)before.graph->links_from(c);
+  const std::vector<ObstacleId> removed{0};
+  const Planner after(planner_.world().changed(removed, {}), vehicle_);
+  const WorldChange change(planner_.world(), after.world(), removed);
+  const std::vector<VertexId> may_differ = differing(planner_, after, VertexMap(change));
+  const LazyGraphs::Change what{change, may_differ};
+  const Roadmap anew = lazy_map(after, tightest);
+  const LazyGraphs graphs(after.visibility_rows(), SerialExecutor(), &what);
+  const auto graph = graphs(anew, tightest, &before);
+  const auto known_rows = [](const FeasibleGraph& g) {
+    std::size_t known = 0;
+    for (std::uint32_t c = 0; c < g.circles().size(); ++c) known += g.known_row(c) ? 1 : 0;
+    return known;
+  };
+  EXPECT_GT(known_rows(*graph), anew.graph->circles().size() / 10);
+  for (std::uint32_t c = 0; c < anew.graph->circles().size(); ++c)
+    test::expect_same(graph->links_from(c), anew.graph->links_from(c));
+  EXPECT_EQ(known_rows(*graphs(anew, tightest, nullptr)), 0u);
+  EXPECT_EQ(known_rows(*graphs(anew, planner_.options().radii, &before)), 0u) << "of other radii";
+}
+
 TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
   const std::vector<double>& radii = planner_.options().radii;
   for (const std::size_t count : {std::size_t{2}, radii.size()}) {
     const PlanMaps all(lazy_map(planner_, {radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count)}), false);
     const PlanMaps smallest(lazy_map(planner_, {radii.front()}), false);
-    const OtherMaps other_maps(all.plain, smallest.plain, routes_of_strategy(), planner_.visibility_rows(),
-                               SerialExecutor());
+    const OtherMaps other_maps(all.plain, smallest.plain, routes_of_strategy(),
+                               LazyGraphs(planner_.visibility_rows(), SerialExecutor(), nullptr), nullptr);
     std::vector<std::pair<std::vector<double>, double>> ways;
     const auto add = [&](const Roadmap& map) {
       const double limit = std::get<LateralAccelerationLimit>(map.vehicle.parameters().turn_speed).lateral_acceleration;
