@@ -25,10 +25,12 @@ std::uint32_t CircleNumbers::before(std::uint32_t circle, const TurnCircles& aft
     return static_cast<std::uint32_t>(index * around_) + circle - after.first_around(c.vertex, Side::kLeft);
   }
   const VertexId second = map.before(c.second);
+  const std::pair vertices(vertex, second);
   const auto vertices_of = [](const TurnCircle& pair) { return std::pair(pair.vertex, pair.second); };
-  for (const TurnCircle& pair : std::ranges::equal_range(pairs_, std::pair(vertex, second), {}, vertices_of))
-    if (pair.side == c.side && pair.radius == c.radius)
-      return static_cast<std::uint32_t>(convex_.size() * around_) + static_cast<std::uint32_t>(&pair - pairs_.data());
+  for (auto at = std::ranges::lower_bound(pairs_, vertices, {}, vertices_of);
+       at != pairs_.end() && vertices_of(*at) == vertices; ++at)
+    if (at->side == c.side && at->radius == c.radius)
+      return static_cast<std::uint32_t>(convex_.size() * around_ + static_cast<std::size_t>(at - pairs_.begin()));
   return kNone;
 }
 
