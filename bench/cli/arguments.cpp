@@ -191,6 +191,15 @@ MapFile read_named_map(const std::string& given, const MapOptions& options, bool
   return generated ? catalog_map(name) : read_map(name, read_options);
 }
 
+void close_for(const Vehicle& vehicle, LoadedMap& map) {
+  const World closed = map.world.for_vehicle(vehicle);
+  if (closed.vertices().data() == map.world.vertices().data()) return;
+  map.world = closed;
+  if (!map.prepared) return;
+  map.prepared.reset();
+  map.notes.push_back("the map was prepared for a robot with other keep-outs; its graphs are built anew");
+}
+
 LoadedMap load_map(const std::string& given, const MapOptions& options) {
   const std::string name = input_file(given);
   if (is_prepared_map_file(name)) {

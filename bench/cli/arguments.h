@@ -120,6 +120,9 @@ struct LoadedMap {
   std::vector<Polygon> added = {};           ///< obstacles to add to a prepared map once a planner holds its graphs
 };
 
+/// Makes the keep-outs of a map for a vehicle obstacles, and drops the graphs of a prepared map that has other ones.
+void close_for(const Vehicle& vehicle, LoadedMap& map);
+
 /// Options for reading map files, shared by all subcommands that read one.
 struct MapOptions {
   bool lonlat = false, planar = false;

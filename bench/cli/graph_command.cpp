@@ -64,6 +64,7 @@ BuiltGraph build_visibility_graph(const GraphArguments& arguments, const World& 
 /// That of the tightest turn, by a planner, which refuses what plans would be refused for.
 BuiltGraph build_feasible_graph(const GraphArguments& arguments, LoadedMap& map) {
   const Vehicle vehicle = load_vehicle(arguments.robot, map);
+  close_for(vehicle, map);
   const std::unique_ptr<const Executor> executor = arguments.build.executor();
   const bool with_csv = !arguments.edges.empty(), with_lines = !arguments.svg.empty();
   const Planner planner(map.world, vehicle, arguments.build.backend_for(map.world, *executor, kSingleProcess),

@@ -33,6 +33,7 @@ Planner make_planner(const PlanArguments& arguments, LoadedMap& map, const Vehic
   const StoppableExecutor threads(*arena, clock);
   ProgressBar bar;
   const ReportingExecutor executor(threads, bar.callback());
+  close_for(vehicle, map);
   const Backend backend = arguments.build.backend_for(map.world, executor, process_group);
   if (!map.prepared) return {map.world, vehicle, backend, options};
   VisibilityGraph& reduced = map.prepared->reduced_graph;

@@ -32,7 +32,10 @@ int run_prepare(PrepareArguments arguments, const ProcessGroup& process_group, s
   files.protect(map.files);
   arguments.build.prepared = map.prepared.has_value();
   std::optional<Vehicle> vehicle;  // vehicle of the feasible graph, if one is wanted
-  if (arguments.kind == "feasible") vehicle = load_vehicle(arguments.robot, map);
+  if (arguments.kind == "feasible") {
+    vehicle = load_vehicle(arguments.robot, map);
+    close_for(*vehicle, map);
+  }
 
   const Stopwatch watch;
   const auto threads = arguments.build.executor();

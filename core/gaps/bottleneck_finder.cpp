@@ -12,7 +12,9 @@
 namespace arcway::internal {
 
 std::string region_text(const World& world, ObstacleId region) {
-  return region == world.obstacle_count() ? "the bounds" : "obstacle " + std::to_string(region);
+  if (region == world.obstacle_count()) return "the bounds";
+  const std::uint32_t zone = world.keep_out_of(region);
+  return zone == kNone ? "obstacle " + std::to_string(region) : zone_text(world.zones()[zone], zone);
 }
 
 namespace {

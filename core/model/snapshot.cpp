@@ -32,6 +32,8 @@ const char* name_of(SnapshotArray array) {
       return "link counts";
     case SnapshotArray::kSelfContacts:
       return "contacts within regions";
+    case SnapshotArray::kKeepOuts:
+      return "obstacles of keep-outs";
   }
   return "?";
 }

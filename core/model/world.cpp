@@ -14,6 +14,7 @@
 #include "core/geometry/ray_parity.h"
 #include "core/model/world_checks.h"
 #include "core/model/world_coverage.h"
+#include "core/model/world_zones.h"
 
 namespace arcway {
 
@@ -412,6 +413,7 @@ World World::from_snapshot(WorldSnapshot snapshot) {
   data->list_convex_vertices();
   World world(std::vector<Polygon>{});
   world.data_ = std::move(data);
+  world.zones_ = Zones::of(std::move(snapshot.zones), snapshot.keep_outs);
   return world;
 }
 
@@ -424,10 +426,11 @@ WorldSnapshot World::snapshot() const {
   snapshot.region_rings.assign(data_->region_rings.begin(), data_->region_rings.end());
   snapshot.self_contacts = data_->contacts;
   snapshot.has_bounds = data_->has_bounds;
+  add_zones(snapshot);
   return snapshot;
 }
 
-World World::changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const {
+World World::with_obstacles_changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const {
   const Data& old = *data_;
   const auto obstacles = static_cast<ObstacleId>(obstacle_count());
   for (std::size_t i = 0; i < removed.size(); ++i) {

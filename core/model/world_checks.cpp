@@ -6,8 +6,10 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "arcway/vehicle.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/ray_parity.h"
@@ -38,8 +40,9 @@ std::string complaint_about(const Vec2& p) {
 
 class RegionCheck {
  public:
-  RegionCheck(const Polygon& polygon, ObstacleId id, bool is_bounds)
-      : polygon_(polygon), id_(id), name_(is_bounds ? "bounds" : "obstacle " + std::to_string(id)) {}
+  /// @param id  of the region, for errors;  @param name  of it, for their messages.
+  RegionCheck(const Polygon& polygon, ObstacleId id, std::string name)
+      : polygon_(polygon), id_(id), name_(std::move(name)) {}
 
   [[nodiscard]] std::vector<RingContact> check() const {
     check_ring(polygon_.outer, 0);
@@ -157,6 +160,39 @@ class RegionCheck {
   std::string name_;
 };
 
+// What is wrong with the numbers of a rule; empty if nothing is.
+struct RuleComplaint {
+  std::string operator()(const KeepOut& rule) const {
+    return std::ranges::find(rule.vehicles, "") == rule.vehicles.end()
+               ? ""
+               : "a name of \"vehicles\" is empty; give the robot's name, or no list for all vehicles";
+  }
+  std::string operator()(const SpeedLimit& rule) const {
+    if (rule.max_speed >= kSmallestVehicleNumber && rule.max_speed <= kLargestVehicleNumber) return "";
+    const std::string value = std::isnan(rule.max_speed) ? "nan" : shortest_text(rule.max_speed);
+    return "max_speed is " + value + " m/s, must be from " + shortest_text(kSmallestVehicleNumber) + " to " +
+           shortest_text(kLargestVehicleNumber) + (rule.max_speed == 0.0 ? "; a zone to stay out of is a keepout" : "");
+  }
+};
+
+// An obstacle a zone that is a keep-out, or none.
+void require_keep_outs(const WorldSnapshot& snapshot) {
+  if (snapshot.keep_outs.empty()) return;
+  const std::size_t zones = snapshot.zones.size();
+  const std::size_t obstacles = snapshot.region_rings.size() - (snapshot.has_bounds ? 2 : 1);
+  if (snapshot.keep_outs.size() != zones)
+    throw SnapshotError(SnapshotArray::kKeepOuts, snapshot.keep_outs.size(),
+                        "there are " + std::to_string(zones) + " zones");
+  for (std::size_t i = 0; i < zones; ++i) {
+    const std::uint32_t obstacle = snapshot.keep_outs[i];
+    if (obstacle == kNone) continue;
+    if (obstacle >= obstacles)
+      throw SnapshotError(SnapshotArray::kKeepOuts, i, "there is no obstacle " + std::to_string(obstacle));
+    if (!std::holds_alternative<KeepOut>(snapshot.zones[i].rule))
+      throw SnapshotError(SnapshotArray::kKeepOuts, i, zone_text(snapshot.zones[i], i) + " is no keep-out");
+  }
+}
+
 void require_self_contacts(const WorldSnapshot& snapshot) {
   const std::size_t n = snapshot.vertices.size();
   std::vector<std::uint32_t> previous(n);
@@ -199,7 +235,20 @@ void require_vertex_count(std::size_t count, ObstacleId obstacles) {
 }
 
 std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds) {
-  return RegionCheck(polygon, id, is_bounds).check();
+  return RegionCheck(polygon, id, is_bounds ? "bounds" : "obstacle " + std::to_string(id)).check();
+}
+
+void require_zones(std::span<const Zone> zones) {
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    const std::string name = zone_text(zones[i], i);
+    const std::string complaint = std::visit(RuleComplaint{}, zones[i].rule);
+    if (!complaint.empty()) throw ZoneError(name + ": " + complaint, i);
+    try {
+      static_cast<void>(RegionCheck(zones[i].area, 0, name).check());
+    } catch (const WorldError& error) {
+      throw ZoneError(error.what(), i);
+    }
+  }
 }
 
 void require_world(const WorldSnapshot& snapshot) {
@@ -242,6 +291,8 @@ void require_world(const WorldSnapshot& snapshot) {
     }
   }
   if (!snapshot.self_contacts.empty()) require_self_contacts(snapshot);
+  require_zones(snapshot.zones);
+  require_keep_outs(snapshot);
 }
 
 }  // namespace arcway::internal

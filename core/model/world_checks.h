@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "arcway/polygon.h"
 #include "arcway/snapshot.h"
 #include "arcway/world.h"
+#include "arcway/zone.h"
 
 /// Checks that a map's vertices have ids.
 /// @param obstacles  number of obstacles: the bounds' index in the error.
@@ -21,6 +23,10 @@ void require_vertex_count(std::size_t count, ObstacleId obstacles);
 /// @return the polygon's contacts with itself.
 /// @throws WorldError
 std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, bool is_bounds);
+
+/// Checks the area and the rule of each zone.
+/// @throws ZoneError for the first zone that is refused.
+void require_zones(std::span<const Zone> zones);
 
 /// Checks what memory safety and the predicates rely on.
 /// @throws SnapshotError if no world has this snapshot.

@@ -205,10 +205,12 @@ void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profil
 Planner::Planner(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
 Planner::Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options)
-    : Planner(world, vehicle, reference_backend(world), options) {}
+    : Planner(world, vehicle, reference_backend(world.for_vehicle(vehicle)), options) {}
 
-Planner::Planner(const World& world, const Vehicle& vehicle, const Backend& backend, const PlannerOptions& options) {
-  require_world(world, backend);
+Planner::Planner(const World& given_world, const Vehicle& vehicle, const Backend& given,
+                 const PlannerOptions& options) {
+  const World world = given_world.for_vehicle(vehicle);
+  const Backend backend = backend_for(given_world, world, given);
   AllOptions checked(world, vehicle, with_mode(options, backend));
   ReducedGraph reduced = reduced_graph_of(backend, *checked.given.graph_mode);
   data_ = std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
@@ -216,9 +218,10 @@ Planner::Planner(const World& world, const Vehicle& vehicle, const Backend& back
                                        backend.executor());
 }
 
-Planner Planner::restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
+Planner Planner::restored(const World& given_world, const Vehicle& vehicle, const Backend& given, PreparedGraph graphs,
                           const PlannerOptions& options) {
-  require_world(world, backend);
+  const World world = given_world.for_vehicle(vehicle);
+  const Backend backend = backend_for(given_world, world, given);
   PlannerOptions taken = options;
   taken.radii = graphs.radii;
   taken.graph_mode = GraphMode::kEager;

@@ -148,12 +148,29 @@ Pose without_many_turns(const Pose& pose, double distance) {
   return {pose.x, pose.y, has_many ? wrap_signed(pose.heading) : pose.heading};
 }
 
+namespace {
+
+bool have_same_vertices(const World& a, const World& b) {
+  return (a.vertices().data() == b.vertices().data() && a.vertices().size() == b.vertices().size()) ||
+         std::ranges::equal(a.vertices(), b.vertices());
+}
+
 void require_world(const World& world, const Backend& backend) {
   const std::span<const Vec2> asked = world.vertices(), known = backend.world().vertices();
-  if (asked.data() == known.data() && asked.size() == known.size()) return;
-  if (!std::ranges::equal(asked, known))
+  if (!have_same_vertices(world, backend.world()))
     throw std::invalid_argument("backend: of another world, of " + std::to_string(known.size()) +
                                 " vertices; this one has " + std::to_string(asked.size()));
+}
+
+}  // namespace
+
+Backend backend_for(const World& world, const World& closed, const Backend& given) {
+  if (have_same_vertices(closed, given.world())) return given;
+  require_world(world, given);
+  std::vector<ObstacleId> removed;
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+    if (closed.obstacle_with(world.key_of(o)) == kNone) removed.push_back(o);
+  return given.changed(closed, WorldChange(world, closed, removed));
 }
 
 void require_change(const WorldChange& change, const World& before, const World& after) {

@@ -17,9 +17,11 @@ namespace arcway::internal {
 /// @throws std::invalid_argument as Planner's constructors do.
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options);
 
-/// Checks that a backend is of this world, as far as vertices tell.
-/// @throws std::invalid_argument
-void require_world(const World& world, const Backend& backend);
+/// The backend of the world that a vehicle meets: the given one, or that after the change to this world.
+/// @param given  of `world` or of `closed`.
+/// @param closed  World::for_vehicle of `world`.
+/// @throws std::invalid_argument if it is of neither, as far as vertices tell, or cannot be changed where it must.
+Backend backend_for(const World& world, const World& closed, const Backend& given);
 
 /// Checks that a change leads from one world to the other, as far as numbers of vertices tell.
 /// @throws std::invalid_argument

@@ -110,7 +110,10 @@ class Validation {
       for (const MotionCheck::Hit& hit : motion.check(segment)) {
         const bool bounds = world_.has_bounds() && hit.region == world_.obstacle_count();
         const std::string place = " at " + shortest_text(hit.arc_length) + " m";
-        const std::string region = bounds ? "the bounds" : "obstacle " + std::to_string(hit.region);
+        const std::uint32_t zone = world_.keep_out_of(hit.region);
+        const std::string region = bounds          ? "the bounds"
+                                   : zone != kNone ? zone_text(world_.zones()[zone], zone)
+                                                   : "obstacle " + std::to_string(hit.region);
         std::string message = "the body ";
         message += hit.edge != kNone ? "touches edge " + std::to_string(hit.edge) + " of "
                    : bounds          ? "is outside of "
@@ -273,6 +276,9 @@ Validator::Validator(const World& world) : data_(std::make_shared<const Data>(wo
 
 ValidationReport Validator::operator()(const Vehicle& vehicle, const Pose& start, const Pose& goal,
                                        const TimedPath& path, const ValidationOptions& options) const {
+  const World world = data_->world.for_vehicle(vehicle);
+  if (world.vertices().data() != data_->world.vertices().data())
+    return Validator(world)(vehicle, start, goal, path, options);
   return Validation(data_->world, data_->grid, vehicle, path, options).run(start, goal);
 }
 

@@ -21,11 +21,15 @@ namespace {
 using detail::shown;
 using nlohmann::json;
 
-enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal };
+enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal, kKeepOut, kSpeedLimit };
+
+bool is_zone(Role role) { return role == Role::kKeepOut || role == Role::kSpeedLimit; }
 
 constexpr int kMaxDepth = 32;  // nesting of geometry collections
 
-constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal"};
+constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal", "keepout", "speed_limit"};
+constexpr std::string_view kKeepOutProperties[] = {"role", "curve", "id", "name", "vehicles"};
+constexpr std::string_view kSpeedLimitProperties[] = {"role", "curve", "id", "name", "max_speed"};
 constexpr std::string_view kTopProperties[] = {"bounds", "start", "goal", "id", "name"};
 constexpr std::string_view kReadProperties[] = {"role", "curve", "heading", "id", "name"};
 // Parts of properties that elsewhere say where, when or how fast one may drive, and whole names that do.
@@ -71,9 +75,10 @@ class GeoJsonReader {
     const auto found = feature.find("properties");
     const json* properties = found != feature.end() && found->is_object() ? &*found : nullptr;
     if (feature.contains("crs") || feature.contains("coordRefSys")) read_crs(feature);
-    note_properties(feature, properties, place);
+    const Role role = role_of(properties, place);
+    note_properties(feature, properties, role, place);
     curved_ = is_curved(properties, place);
-    read_geometry(*geometry, role_of(properties, place), properties, place, 0);
+    read_geometry(*geometry, role, properties, place, 0);
   }
 
   MapFile finish() {
@@ -88,23 +93,48 @@ class GeoJsonReader {
   };
 
   // Properties that are not read: those that say how or where one may drive are warned of.
-  void note_properties(const json& feature, const json* properties, const std::string& place) {
+  void note_properties(const json& feature, const json* properties, Role role, const std::string& place) {
     for (const char* key : {"role", "curve", "heading"})
       if (feature.contains(key))
         map_.warn(place, "\"" + std::string(key) + "\" is not read beside \"properties\"; put it inside");
     if (properties == nullptr) return;
     for (const auto& [key, value] : properties->items()) {
-      if (value.is_null() || std::ranges::find(kReadProperties, key) != std::end(kReadProperties)) continue;
-      Unread& unread = unread_[key];
+      const std::span<const std::string_view> read = properties_of(role);
+      if (value.is_null() || std::ranges::find(read, key) != read.end()) continue;
+      Unread& unread = is_zone(role) ? unread_of_zones_[{role, key}] : unread_[key];
       if (unread.features++ == 0) unread.first = place;
     }
   }
+  static std::span<const std::string_view> properties_of(Role role) {
+    if (role == Role::kKeepOut) return kKeepOutProperties;
+    if (role == Role::kSpeedLimit) return kSpeedLimitProperties;
+    return kReadProperties;
+  }
+  // A zone says how one may drive, and so may all of its properties.
+  void report_properties_of_zones() {
+    for (const auto& [role_and_key, unread] : unread_of_zones_) {
+      const auto& [role, key] = role_and_key;
+      const std::span<const std::string_view> read = properties_of(role);
+      const std::string_view nearest = nearest_word(key, read);
+      std::string message = "the property " + shown(key) + more_of(unread) + " of a zone is not read; ";
+      if (nearest.empty()) {
+        message += "these are:";
+        for (const std::string_view known : read) message += " " + std::string(known);
+      } else {
+        message += "did you mean \"" + std::string(nearest) + "\"?";
+      }
+      map_.warn(unread.first, message);
+    }
+  }
+  static std::string more_of(const Unread& unread) {
+    return unread.features > 1 ? " (and of " + std::to_string(unread.features - 1) + " more)" : std::string();
+  }
   void report_properties() {
+    report_properties_of_zones();
     std::string others;
     std::size_t named = 0, unnamed = 0;
     for (const auto& [key, unread] : unread_) {
-      const std::string more =
-          unread.features > 1 ? " (and of " + std::to_string(unread.features - 1) + " more)" : std::string();
+      const std::string more = more_of(unread);
       const std::string_view nearest =
           nearest_word(key, unread.first == kTop ? std::span(kTopProperties) : std::span(kReadProperties));
       if (!nearest.empty()) {
@@ -186,6 +216,8 @@ class GeoJsonReader {
     if (*role == "boundary") return Role::kBoundary;
     if (*role == "start") return Role::kStart;
     if (*role == "goal") return Role::kGoal;
+    if (*role == "keepout") return Role::kKeepOut;
+    if (*role == "speed_limit") return Role::kSpeedLimit;
     map_.warn(place, unknown_word("role", role->is_string() ? role->get<std::string>() : shown(*role), kRoles) +
                          "; the feature is taken as an obstacle");
     return Role::kObstacle;
@@ -255,17 +287,44 @@ class GeoJsonReader {
     }
   }
 
-  void read_polygon(const json& rings, Role role, const std::string& place) {
+  [[nodiscard]] ZoneRule rule_of(const json& properties, Role role, const std::string& place) const {
+    if (role == Role::kSpeedLimit) {
+      const auto speed = properties.find("max_speed");
+      if (speed == properties.end()) map_.fail(place, "a speed_limit needs the property \"max_speed\" [m/s]");
+      return SpeedLimit{number(*speed, place + ", max_speed")};
+    }
+    KeepOut rule;
+    const auto vehicles = properties.find("vehicles");
+    if (vehicles == properties.end() || vehicles->is_null()) return rule;
+    const auto is_name = [](const json& name) { return name.is_string(); };
+    if (!vehicles->is_array() || vehicles->empty() || !std::ranges::all_of(*vehicles, is_name))
+      map_.fail(place, "expected \"vehicles\" as an array of names of robots, found " + shown(*vehicles) +
+                           "; leave it out for all vehicles");
+    for (const json& name : *vehicles) rule.vehicles.push_back(name.get<std::string>());
+    return rule;
+  }
+
+  void add_zone(Polygon area, Role role, const json& properties, const std::string& place) {
+    const auto name = properties.find("name");
+    std::string text;
+    if (name != properties.end() && !name->is_null())
+      text = name->is_string() ? name->get<std::string>() : name->dump();
+    map_.map().zones.push_back({std::move(area), rule_of(properties, role, place), std::move(text)});
+    map_.map().zone_places.push_back(place);
+  }
+
+  void read_polygon(const json& rings, Role role, const json* properties, const std::string& place) {
     if (!rings.is_array()) map_.fail(place, "expected an array of rings, found " + shown(rings));
     if (rings.empty()) return;
     Polygon polygon;
     detail::VectorMapBuilder::Curves curves;
-    const int outer = role == Role::kBoundary ? -1 : role == Role::kObstacle ? 1 : map_.outer_winding();
+    const int outer = role == Role::kBoundary ? -1 : role == Role::kUnstated ? map_.outer_winding() : 1;
     polygon.outer = ring(rings[0], outer, place + ", ring 0", curves);
     for (std::size_t i = 1; i < rings.size(); ++i)
       polygon.holes.push_back(ring(rings[i], -outer, place + ", ring " + std::to_string(i), curves));
     if (role == Role::kUnstated) return map_.add_polygon(std::move(polygon), place, std::move(curves));
     if (role == Role::kObstacle) return map_.add_obstacle(std::move(polygon), place, std::move(curves));
+    if (is_zone(role)) return add_zone(std::move(polygon), role, *properties, place);
     map_.set_bounds(std::move(polygon), place, std::move(curves));
   }
 
@@ -307,9 +366,12 @@ class GeoJsonReader {
       if (!point) map_.fail(place, "start and goal must be Points, found " + shown(type));
       read_pose(*coordinates, role, properties, place);
     } else if (polygon) {
-      read_polygon(*coordinates, role, place);
+      read_polygon(*coordinates, role, properties, place);
     } else if (multi) {
-      for (std::size_t i = 0; i < coordinates->size(); ++i) read_polygon((*coordinates)[i], role, part("polygon", i));
+      for (std::size_t i = 0; i < coordinates->size(); ++i)
+        read_polygon((*coordinates)[i], role, properties, part("polygon", i));
+    } else if (is_zone(role)) {
+      map_.fail(place, "a zone must be a Polygon or MultiPolygon, found " + shown(type));
     } else if (line) {
       map_.add_line(positions(*coordinates, place), place);
     } else if (lines) {
@@ -325,6 +387,7 @@ class GeoJsonReader {
   bool lonlat_;                           // bounds may lie across the antimeridian
   bool curved_ = false;                   // whether the feature being read has curves
   std::map<std::string, Unread> unread_;  // by property
+  std::map<std::pair<Role, std::string>, Unread> unread_of_zones_;
 };
 
 // Replaces NaN by null where it is the third or a later number of an array. Writers without heights write NaN there,

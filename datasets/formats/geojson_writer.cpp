@@ -1,4 +1,6 @@
+#include <string>
 #include <utility>
+#include <variant>
 
 #include "arcway/datasets/geojson.h"
 #include "datasets/io/json_text.h"
@@ -46,6 +48,31 @@ void append_point(std::string& out, std::string_view role, const Pose& pose) {
   out += "]}}";
 }
 
+struct RuleText {
+  std::string operator()(const KeepOut& rule) const {
+    std::string text;
+    for (const std::string& vehicle : rule.vehicles) {
+      text += text.empty() ? ",\"vehicles\":[" : ",";
+      detail::append_string(text, vehicle);
+    }
+    return text.empty() ? text : text + "]";
+  }
+  std::string operator()(const SpeedLimit& rule) const {
+    std::string text = ",\"max_speed\":";
+    detail::append_number(text, rule.max_speed);
+    return text;
+  }
+};
+
+std::string properties_of(const Zone& zone) {
+  std::string text = "{\"role\":\"" + std::string(role_of(zone)) + "\"";
+  if (!zone.name.empty()) {
+    text += ",\"name\":";
+    detail::append_string(text, zone.name);
+  }
+  return text + std::visit(RuleText{}, zone.rule) + "}";
+}
+
 }  // namespace
 
 std::string to_geojson(const MapFile& map) {
@@ -67,6 +94,10 @@ std::string to_geojson(const MapFile& map) {
   for (const Polygon& polygon : map.obstacles) {
     next();
     append_polygon(out, R"({"role":"obstacle"})", polygon);
+  }
+  for (const Zone& zone : map.zones) {
+    next();
+    append_polygon(out, properties_of(zone), zone.area);
   }
   out += "\n]}\n";
   return out;

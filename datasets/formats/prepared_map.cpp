@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "arcway/datasets/geojson.h"
 #include "arcway/datasets/robot.h"
 #include "core/roadmap/feasible_graph.h"
 
@@ -31,7 +32,7 @@ constexpr std::uint64_t kAlignment = 64;
 constexpr std::uint32_t kMaxSections = 64;
 
 // Sections that are no SnapshotArray.
-constexpr std::uint32_t kStart = 101, kGoal = 102, kRobot = 103;
+constexpr std::uint32_t kStart = 101, kGoal = 102, kRobot = 103, kZones = 104;
 
 struct Header {
   std::array<char, 8> magic;
@@ -242,7 +243,7 @@ class PreparedReader {
   std::map<SnapshotArray, PreparedMap::Source::Section> places_;
 };
 
-WorldSnapshot read_world(PreparedReader& reader) {
+WorldSnapshot read_world(PreparedReader& reader, std::string_view name) {
   WorldSnapshot snapshot;
   snapshot.vertices = reader.get<Vec2>(SnapshotArray::kVertices);
   snapshot.next = reader.get<std::uint32_t>(SnapshotArray::kNext);
@@ -251,6 +252,9 @@ WorldSnapshot read_world(PreparedReader& reader) {
   snapshot.region_rings = reader.get<std::uint32_t>(SnapshotArray::kRegionRings);
   snapshot.self_contacts = reader.get_or_none<SelfContact>(SnapshotArray::kSelfContacts);
   snapshot.has_bounds = (reader.flags() & kHasBounds) != 0;
+  if (const std::optional<std::vector<char>> zones = reader.find<char>(kZones))
+    snapshot.zones = read_geojson(std::string_view(zones->data(), zones->size()), std::string(name) + ", zones").zones;
+  snapshot.keep_outs = reader.get_or_none<std::uint32_t>(SnapshotArray::kKeepOuts);
   return snapshot;
 }
 
@@ -290,7 +294,7 @@ bool is_prepared_map_file(const std::filesystem::path& path) {
 
 PreparedMap read_prepared_map(std::string_view bytes, std::string_view name) {
   PreparedReader reader(bytes, name);
-  WorldSnapshot world = read_world(reader);
+  WorldSnapshot world = read_world(reader, name);
   auto row_starts = reader.get<std::uint64_t>(SnapshotArray::kRowStarts);
   auto targets = reader.get<VertexId>(SnapshotArray::kTargets);
   const std::optional<Pose> start = reader.pose(kStart), goal = reader.pose(kGoal);
@@ -306,7 +310,7 @@ PreparedMap read_prepared_map(std::string_view bytes, std::string_view name) {
             source};
   } catch (const SnapshotError& error) {
     throw FormatError(source.complaint(error));
-  } catch (const WorldError& error) {
+  } catch (const std::invalid_argument& error) {  // of the world, or of a zone
     throw FormatError(source.name + ": " + error.what());
   }
 }
@@ -334,6 +338,14 @@ std::string to_bytes(const PreparedMap& map) {
   writer.add(SnapshotArray::kRingStarts, world.ring_starts);
   writer.add(SnapshotArray::kRegionRings, world.region_rings);
   if (!world.self_contacts.empty()) writer.add(SnapshotArray::kSelfContacts, world.self_contacts);
+  std::string zones;
+  if (!world.zones.empty()) {
+    MapFile all_zones;
+    all_zones.zones = world.zones;
+    zones = to_geojson(all_zones);
+    writer.add(kZones, std::span<const char>(zones));
+  }
+  if (!world.keep_outs.empty()) writer.add(SnapshotArray::kKeepOuts, world.keep_outs);
   writer.add(static_cast<std::uint32_t>(SnapshotArray::kRowStarts), map.reduced_graph.row_starts());
   writer.add(static_cast<std::uint32_t>(SnapshotArray::kTargets), map.reduced_graph.targets());
   const auto numbers = [](const std::optional<Pose>& pose) {

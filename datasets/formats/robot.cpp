@@ -149,6 +149,7 @@ void read_turns(const JsonPlace& place, VehicleParameters& robot) {
 VehicleParameters robot_of(const JsonPlace& place) {
   place.allow_keys({"format",
                     "version",
+                    "name",
                     "length",
                     "width",
                     "front_overhang",
@@ -170,6 +171,7 @@ VehicleParameters robot_of(const JsonPlace& place) {
                    kSynonyms);
   place.allow_format("arcway-robot", 1);
   VehicleParameters robot;
+  if (place.has("name")) robot.name = place.at("name").string();
   read_body(place, robot);
   const auto number = [&](std::string_view key, double& value) {
     if (place.has(key)) value = place.at(key).number();
@@ -255,6 +257,10 @@ std::string to_json(const VehicleParameters& robot) {
     out += "\":";
     detail::append_number(out, value);
   };
+  if (!robot.name.empty()) {
+    out += ",\"name\":";
+    detail::append_string(out, robot.name);
+  }
   if (!robot.footprint.empty()) {
     out += ",\"footprint\":" + footprint_text(robot.footprint);
     if (robot.footprint_origin != Vec2(0.0, 0.0)) out += ",\"footprint_origin\":" + point_text(robot.footprint_origin);

@@ -50,6 +50,7 @@ void VectorMapBuilder::visit_positions(Visit visit) {
       for (Vec2& position : hole) visit(position);
   };
   for (Polygon& obstacle : map_.obstacles) polygon(obstacle);
+  for (Zone& zone : map_.zones) polygon(zone.area);
   for (FreePolygon& free : free_) polygon(free.polygon);
   for (auto& [positions, place] : lines_)
     for (Vec2& position : positions) visit(position);

@@ -5,10 +5,12 @@
 #include <limits>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arcway/polygon.h"
 #include "arcway/world.h"
+#include "arcway/zone.h"
 #include "core/geometry/predicates.h"
 #include "core/model/pose_text.h"
 #include "datasets/map/contacts.h"
@@ -33,6 +35,16 @@ Ring cleaned(const Ring& ring) {
   return result;
 }
 
+// What a zone asks, in words.
+struct RuleText {
+  std::string operator()(const KeepOut& rule) const {
+    std::string text = rule.vehicles.empty() ? " for all robots" : " for";
+    for (const std::string& vehicle : rule.vehicles) text += " " + vehicle;
+    return text;
+  }
+  std::string operator()(const SpeedLimit& rule) const { return " of " + shortest_text(rule.max_speed) + " m/s"; }
+};
+
 class Examiner {
  public:
   explicit Examiner(const MapFile& map) : map_(map) {}
@@ -44,6 +56,7 @@ class Examiner {
     bounds_ = polygons_.size();
     if (map_.bounds) add_polygon({*map_.bounds, {}}, map_.bounds_place.empty() ? "bounds" : map_.bounds_place);
     has_bounds_ = polygons_.size() > bounds_;
+    look_at_zones();
     compare();
     look_at_coordinates();
     return std::move(report_);
@@ -55,6 +68,31 @@ class Examiner {
   }
 
   void add_polygon(const Polygon& polygon, const std::string& place) {
+    if (std::optional<Polygon> clean = usable(polygon, place)) {
+      polygons_.push_back(std::move(*clean));
+      places_.push_back(place);
+    }
+  }
+
+  // Zones are listed. Their areas may overlap each other and obstacles, and are not compared.
+  void look_at_zones() {
+    for (std::size_t i = 0; i < map_.zones.size(); ++i) {
+      const Zone& zone = map_.zones[i];
+      const std::string place = i < map_.zone_places.size() ? map_.zone_places[i] : "zone " + std::to_string(i);
+      find(FindingKind::kZone, place, zone.area.outer.empty() ? std::nullopt : std::optional(zone.area.outer[0]),
+           zone_text(zone, i) + std::visit(RuleText{}, zone.rule));
+      if (!usable(zone.area, place)) continue;
+      try {
+        static_cast<void>(World({}).with_zones({zone}));
+      } catch (const ZoneError& error) {  // its numbers are all that is left to refuse
+        const std::string message = error.what();
+        find(FindingKind::kZoneRule, place, std::nullopt, message.substr(zone_text(zone, 0).size() + 2));
+      }
+    }
+  }
+
+  // The polygon without repeated vertices, if World takes it.
+  std::optional<Polygon> usable(const Polygon& polygon, const std::string& place) {
     bool usable = true;
     Polygon clean;
     for (std::size_t r = 0; r <= polygon.holes.size(); ++r) {
@@ -63,9 +101,8 @@ class Examiner {
       usable = look_at_ring(ring, where, r == 0 ? 1 : -1) && usable;
       (r == 0 ? clean.outer : clean.holes.emplace_back()) = cleaned(ring);
     }
-    if (!usable || !look_at_conflicts(clean, place)) return;
-    polygons_.push_back(std::move(clean));
-    places_.push_back(place);
+    if (!usable || !look_at_conflicts(clean, place)) return std::nullopt;
+    return clean;
   }
 
   // Whether the ring may be a polygon's.
@@ -278,6 +315,10 @@ const char* name_of(FindingKind kind) {
       return "degrees";
     case FindingKind::kFarFromOrigin:
       return "far from the origin";
+    case FindingKind::kZone:
+      return "zone";
+    case FindingKind::kZoneRule:
+      return "zone refused";
   }
   return "unknown";
 }
@@ -297,6 +338,7 @@ const char* consequence_of(FindingKind kind) {
     case FindingKind::kSelfCrossing:
     case FindingKind::kEdgesOverlap:
     case FindingKind::kMisplacedHole:
+    case FindingKind::kZoneRule:
       return "the map is refused";
     case FindingKind::kSelfTouching:
       return "kept; a line of sight may pass there, a body cannot";
@@ -318,6 +360,8 @@ const char* consequence_of(FindingKind kind) {
       return "taken as meters; longitude and latitude are projected with --lonlat";
     case FindingKind::kFarFromOrigin:
       return "refused unless the robot's safety margin is 2^20 of these steps or more; move the map to the origin";
+    case FindingKind::kZone:
+      return "obeyed; a keep-out is an obstacle for the robots that it names, or for all";
   }
   return "";
 }
@@ -331,6 +375,7 @@ bool is_refused(FindingKind kind) {
     case FindingKind::kEdgesOverlap:
     case FindingKind::kMisplacedHole:
     case FindingKind::kFarFromOrigin:
+    case FindingKind::kZoneRule:
       return true;
     default:
       return false;
@@ -351,6 +396,10 @@ MapFile without_repetitions(MapFile map) {
   for (Polygon& polygon : map.obstacles) {
     clean(polygon.outer, 1);
     for (Ring& hole : polygon.holes) clean(hole, -1);
+  }
+  for (Zone& zone : map.zones) {
+    clean(zone.area.outer, 1);
+    for (Ring& hole : zone.area.holes) clean(hole, -1);
   }
   if (map.bounds) clean(*map.bounds, 1);
   return map;

@@ -40,7 +40,12 @@ std::string remedy_for(const Polygon& polygon, std::string_view name) {
 
 World to_world(const MapFile& map, std::string_view name) {
   try {
-    return World(map.obstacles, map.bounds);
+    const World world(map.obstacles, map.bounds);
+    return map.zones.empty() ? world : world.with_zones(map.zones);
+  } catch (const ZoneError& error) {
+    const std::size_t k = error.zone();
+    const std::string place = k < map.zone_places.size() ? map.zone_places[k] + ": " : "";
+    throw FormatError(std::string(name) + ": " + place + error.what() + remedy_for(map.zones[k].area, name));
   } catch (const WorldError& error) {
     const std::size_t k = error.obstacle();
     const std::string place = k < map.places.size() ? map.places[k] : k >= map.obstacles.size() ? map.bounds_place : "";
@@ -53,7 +58,9 @@ World to_world(const MapFile& map, std::string_view name) {
 
 MapFile to_map_file(const World& world) {
   MapFile map;
+  map.zones.assign(world.zones().begin(), world.zones().end());
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
+    if (world.keep_out_of(o) != kNone) continue;
     const auto starts = world.ring_starts(o);
     std::vector<Ring> rings;
     for (std::size_t r = 0; r < starts.size(); ++r) {

@@ -183,12 +183,18 @@ MapFile repaired(const MapFile& map) {
     if (finding.kind == FindingKind::kOutOfRange)
       throw std::invalid_argument("repair: " + finding.place + ": out of range " + finding.what);
   }
-  MapFile result = united(clean, 0.0);
+  const auto united_on = [&](double grid) {
+    MapFile result = united(clean, grid);
+    result.zones = clean.zones;
+    result.zone_places = clean.zone_places;
+    return result;
+  };
+  MapFile result = united_on(0.0);
   if (examine(result).plans()) return result;
   Box box;
   for (const Polygon& polygon : clean.obstacles)
     for (const Vec2& p : polygon.outer) box.extend(p);
-  return united(clean, std::exp2(std::ceil(std::log2((box.max - box.min).maxCoeff())) - 30.0));
+  return united_on(std::exp2(std::ceil(std::log2((box.max - box.min).maxCoeff())) - 30.0));
 }
 
 #endif

@@ -52,3 +52,4 @@
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
 #include "arcway/world_change.h"
+#include "arcway/zone.h"

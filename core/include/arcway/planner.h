@@ -138,6 +138,9 @@ class ARCWAY_API Planner {
   /// @throws std::invalid_argument as the constructor below.
   Planner(const World& world, const Vehicle& vehicle, const PlannerOptions& options = {});
   /// A planner with the queries and graph builders of a backend.
+  ///
+  /// Keep-outs for the vehicle are obstacles of Planner::world. A backend of another world than that of
+  /// World::for_vehicle is changed to it.
   /// @param backend  of `world`. Its executor runs the construction only: a StoppableExecutor makes that cancelable, a
   ///   ReportingExecutor reports its progress.
   /// @throws std::invalid_argument if an option is out of its range, the backend is of another world, or the safety

@@ -8,6 +8,7 @@
 
 #include "arcway/export.h"
 #include "arcway/vec2.h"
+#include "arcway/zone.h"
 
 namespace arcway {
 
@@ -26,7 +27,8 @@ enum class SnapshotArray : std::uint32_t {
   kLinkStarts,
   kLinks,
   kLinkCounts,
-  kSelfContacts
+  kSelfContacts,
+  kKeepOuts
 };
 /// The array in words: "vertices", "row starts", ...
 ARCWAY_API const char* name_of(SnapshotArray array);
@@ -61,6 +63,9 @@ struct WorldSnapshot {
   std::vector<std::uint32_t> region_rings;  ///< first ring of each region, ascending; then the number of rings
   std::vector<SelfContact> self_contacts;   ///< World::self_contacts
   bool has_bounds = false;                  ///< whether the last region is the bounds
+  std::vector<Zone> zones = {};             ///< World::zones
+  /// By zone: the obstacle that stands for it, kNone if there is none. Empty if no zone has one.
+  std::vector<std::uint32_t> keep_outs = {};
 };
 
 }  // namespace arcway

@@ -100,6 +100,9 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 /// O(n) to sort the map's edges, some 50 ns each; then one or two milliseconds for a path of a hundred segments. Use a
 /// Validator for many paths on one map.
 ///
+/// Keep-outs for the vehicle are obstacles. Where the world does not have them as such yet, each call makes the world
+/// that the vehicle meets: see World::for_vehicle.
+///
 /// Moving obstacles are looked for by conflicts(). It shares exact predicates with the planner, but no decision with
 /// evade().
 /// @throws std::invalid_argument if speeds or durations are given, but not one a segment.

@@ -128,6 +128,8 @@ struct VehicleParameters {
   std::optional<double> min_turning_radius = {};
   /// rho_min to the right [m]; none: as to the left.
   std::optional<double> min_turning_radius_right = {};
+  /// What KeepOut::vehicles calls the vehicle; empty: no name, so that only keep-outs for all vehicles hold.
+  std::string name = {};
   friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
 

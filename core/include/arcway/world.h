@@ -15,8 +15,11 @@
 #include "arcway/snapshot.h"
 #include "arcway/text.h"
 #include "arcway/vec2.h"
+#include "arcway/zone.h"
 
 namespace arcway {
+
+class Vehicle;
 
 /// Index of a vertex. Vertices are numbered in the order of the input: obstacle by obstacle, the outer ring before its
 /// holes, and the bounds last. The edge that starts at a vertex has the vertex's index.
@@ -106,6 +109,20 @@ class ARCWAY_API World {
   /// @throws WorldError with the index that a refused obstacle has in the new world.
   [[nodiscard]] World changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const;
 
+  /// The world with these zones in place of its own. Obstacles that stood for keep-outs are left out. O(vertices of
+  /// zones) where there are none of these.
+  /// @throws ZoneError for the first zone whose area or numbers are refused.
+  [[nodiscard]] World with_zones(std::vector<Zone> zones) const;
+  /// The zones, in the order given. Zones stay through `changed`; one whose obstacle is removed goes with it.
+  [[nodiscard]] std::span<const Zone> zones() const;
+  /// The world as a vehicle meets it: each keep-out for it is an obstacle, behind all others, in the order of the
+  /// zones. Planner and validator do this by themselves; a backend made of this world saves the planner the change.
+  /// Keep-outs that are obstacles already stay so, and those of other vehicles are left out. O(1) if nothing is to do.
+  [[nodiscard]] World for_vehicle(const Vehicle& vehicle) const;
+  /// The index among `zones` of the keep-out that an obstacle stands for; kNone for an obstacle of the map. O(log
+  /// zones).
+  [[nodiscard]] std::uint32_t keep_out_of(ObstacleId o) const;
+
   /// The positions of all vertices [m], the bounds' last.
   [[nodiscard]] std::span<const Vec2> vertices() const;
   [[nodiscard]] const Vec2& vertex(VertexId v) const { return vertices()[v]; }
@@ -163,7 +180,14 @@ class ARCWAY_API World {
 
  private:
   struct Data;
+  struct Zones;
+  // The world after a change of its obstacles, with the same zones.
+  [[nodiscard]] World with_obstacles_changed(std::span<const ObstacleId> removed,
+                                             const std::vector<Polygon>& added) const;
+  void add_zones(WorldSnapshot& snapshot) const;
+
   std::shared_ptr<const Data> data_;
+  std::shared_ptr<const Zones> zones_;  // null: no zones
 };
 
 /// "8 obstacles of 45 vertices", "8 obstacles of 45 vertices within bounds": bounds count as vertices, too.

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "arcway/closed_spline.h"
+#include "arcway/datasets/map_file.h"
 #include "arcway/polygon.h"
+#include "arcway/zone.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/format_errors.h"
 
@@ -355,6 +357,70 @@ TEST(GeoJson, RefusesCurvesThatItCannotDraw) {
   EXPECT_NE(message(R"({"curve":"spline"})", {.lonlat = true}).find("curves need planar coordinates"),
             std::string::npos);
   EXPECT_NE(message(R"({"curve":"spline"})", {.curve_tolerance = 0.0}).find("tolerance is 0"), std::string::npos);
+}
+
+TEST(GeoJson, ReadsZones) {
+  const MapFile map = geojson_of(
+      collection(feature(polygon(kSquare), R"({"role":"keepout","name":"dock"})") + "," +
+                 feature(polygon(kSquare), R"({"role":"keepout","vehicles":["van","truck"]})") + "," +
+                 feature(R"({"type":"MultiPolygon","coordinates":[[)" + std::string(kSquare) + "],[" + kSquare + "]]}",
+                         R"({"role":"speed_limit","max_speed":2.5,"name":7})")));
+  EXPECT_TRUE(map.obstacles.empty());
+  EXPECT_TRUE(map.warnings.empty()) << map.warnings.front();
+  ASSERT_EQ(map.zones.size(), 4u);
+  EXPECT_EQ(map.zones[0].rule, ZoneRule(KeepOut{}));
+  EXPECT_EQ(map.zones[0].name, "dock");
+  EXPECT_EQ(map.zones[0].area.outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  EXPECT_EQ(map.zones[1].rule, ZoneRule(KeepOut{{"van", "truck"}}));
+  EXPECT_EQ(map.zones[3].rule, ZoneRule(SpeedLimit{2.5}));
+  EXPECT_EQ(map.zones[3].name, "7");
+  EXPECT_EQ(map.zone_places[3], "feature 2, polygon 1");
+}
+
+TEST(GeoJson, ZonesReadBackToTheSame) {
+  MapFile map;
+  const Ring ring{{0, 0}, {9, 0}, {9, 9}}, hole{{5, 1}, {6, 1}, {6, 2}};
+  map.zones = {{{ring, {hole}}, KeepOut{}, "a \"b\""},
+               {{ring, {}}, KeepOut{{"x", "y"}}, ""},
+               {{ring, {}}, SpeedLimit{0.1}, "c"}};
+  const MapFile back = geojson_of(to_geojson(map));
+  ASSERT_EQ(back.zones.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(back.zones[i].rule, map.zones[i].rule);
+    EXPECT_EQ(back.zones[i].name, map.zones[i].name);
+    EXPECT_EQ(back.zones[i].area.outer, ring);
+    EXPECT_EQ(back.zones[i].area.holes, map.zones[i].area.holes);
+  }
+  EXPECT_TRUE(back.warnings.empty());
+}
+
+TEST(GeoJson, WarnsOfPropertiesThatZonesDoNotHave) {
+  const MapFile map = geojson_of(collection(feature(polygon(kSquare), R"({"role":"keepout","max_speed":2})") + "," +
+                                            feature(polygon(kSquare), R"({"role":"keepout","max_speed":3})") + "," +
+                                            feature(polygon(kSquare), R"({"role":"keepout","vehicle":["van"]})")));
+  ASSERT_EQ(map.warnings.size(), 2u);
+  EXPECT_EQ(
+      map.warnings[0],
+      "world.geojson: feature 0: the property \"max_speed\" (and of 1 more) of a zone is not read; these are: role "
+      "curve id name vehicles");
+  EXPECT_EQ(map.warnings[1],
+            "world.geojson: feature 2: the property \"vehicle\" of a zone is not read; did you mean \"vehicles\"?");
+}
+
+TEST(GeoJson, RefusesWrongZones) {
+  EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"speed_limit","speed":2})")),
+            "world.geojson: feature 0: a speed_limit needs the property \"max_speed\" [m/s]");
+  EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"speed_limit","max_speed":"2"})")),
+            "world.geojson: feature 0, max_speed: expected a number, found \"2\"");
+  EXPECT_EQ(
+      geojson_error(feature(polygon(kSquare), R"({"role":"keepout","vehicles":"van"})")),
+      "world.geojson: feature 0: expected \"vehicles\" as an array of names of robots, found \"van\"; leave it out "
+      "for all vehicles");
+  EXPECT_EQ(geojson_error(feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})", R"({"role":"keepout"})")),
+            "world.geojson: feature 0: a zone must be a Polygon or MultiPolygon, found \"LineString\"");
+  const std::string wrong = feature(polygon(kSquare), R"({"role":"speed_limit","max_speed":0,"name":"yard"})");
+  EXPECT_EQ(test::format_error_of([&] { static_cast<void>(to_world(geojson_of(wrong), "w.geojson")); }).substr(0, 71),
+            "w.geojson: feature 0: speed_limit zone \"yard\": max_speed is 0 m/s, must");
 }
 
 }  // namespace

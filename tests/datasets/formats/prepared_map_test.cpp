@@ -188,5 +188,26 @@ TEST(PreparedMap, IsWrittenWholeOrNotAtAll) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(PreparedMap, KeepsZones) {
+  const World world =
+      small_world().with_zones({{{test::square(-4, 10, 2), {}}, KeepOut{}, "dock"},
+                                {{test::square(-4, 16, 2), {}}, KeepOut{{"van"}}, ""},
+                                {{test::square(14, 14, 3), {test::square(15, 15, 1)}}, SpeedLimit{0.1}, ""}});
+  const SerialExecutor executor;
+  const PreparedMap map = prepare(world.for_vehicle(Vehicle{}), executor);
+  const std::string bytes = to_bytes(map);
+  PreparedMap back = read_prepared_map(bytes, "m");
+  EXPECT_EQ(to_bytes(back), bytes);
+  ASSERT_EQ(back.world.zones().size(), 3u);
+  EXPECT_EQ(back.world.zones()[2].rule, ZoneRule(SpeedLimit{0.1}));
+  EXPECT_EQ(back.world.zones()[2].area.holes.size(), 1u);
+  EXPECT_EQ(back.world.keep_out_of(2), 0u);
+  const Planner planner =
+      Planner::restored(back.world, Vehicle{}, reference_backend(back.world),
+                        {std::move(back.reduced_graph), back.robot->radii, std::move(back.robot->feasible)});
+  EXPECT_EQ(planner.world().obstacle_count(), 3u);
+  EXPECT_NE(to_bytes(prepare(small_world().with_zones({world.zones()[0]}).for_vehicle(Vehicle{}), executor)), bytes);
+}
+
 }  // namespace
 }  // namespace arcway::internal

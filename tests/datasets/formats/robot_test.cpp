@@ -69,12 +69,13 @@ TEST(RobotJson, KeysOfOthersAreUnderstood) {
 }
 
 TEST(RobotJson, ErrorsNameKeyAndValue) {
-  EXPECT_EQ(robot_error(robot(R"(,"lenght":2)")),
-            "robot.json: unknown key \"lenght\", did you mean \"length\"? There are format, version, length, width, "
-            "front_overhang, rear_overhang, footprint, footprint_origin, wheelbase, "
-            "steering, max_steering_angle, max_steering_angle_right, min_turning_radius, min_turning_radius_right, "
-            "minimum_turning_radius, max_speed, turn_speed, "
-            "max_reverse_speed, max_acceleration, safety_margin");
+  EXPECT_EQ(
+      robot_error(robot(R"(,"lenght":2)")),
+      "robot.json: unknown key \"lenght\", did you mean \"length\"? There are format, version, name, length, width, "
+      "front_overhang, rear_overhang, footprint, footprint_origin, wheelbase, "
+      "steering, max_steering_angle, max_steering_angle_right, min_turning_radius, min_turning_radius_right, "
+      "minimum_turning_radius, max_speed, turn_speed, "
+      "max_reverse_speed, max_acceleration, safety_margin");
   EXPECT_EQ(robot_error(robot(R"(,"length":"2")")), "robot.json: length: expected a number, found \"2\"");
   EXPECT_EQ(robot_error(robot(R"(,"steering":"back")")),
             "robot.json: steering: expected \"front\", \"rear\" or \"symmetric\", found \"back\"");
@@ -250,6 +251,15 @@ TEST(ScenarioJson, FilesAreFoundBesideTheScenario) {
   EXPECT_EQ(scenario.world, (folder / "w.geojson").string());
   EXPECT_EQ(std::get<VehicleParameters>(scenario.robot).length, 3.25);
   std::filesystem::remove_all(folder);
+}
+
+TEST(Robot, HasAName) {
+  EXPECT_EQ(read_robot(R"({"name":"van"})", "r").name, "van");
+  EXPECT_EQ(read_robot("{}", "r").name, "");
+  VehicleParameters robot;
+  robot.name = "a \"b\"";
+  EXPECT_EQ(read_robot(to_json(robot), "r"), robot);
+  EXPECT_EQ(to_json(VehicleParameters{}).find("name"), std::string::npos);
 }
 
 }  // namespace

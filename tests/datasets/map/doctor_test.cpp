@@ -286,5 +286,40 @@ TEST_F(Repair, TakesTheCatalog) {
   }
 }
 
+TEST(Doctor, ListsZonesAndFindsWhatIsWrongWithThem) {
+  MapFile map = of({{box_ring(0, 0, 5, 5), {}}});
+  map.zones = {{{box_ring(1, 1, 2, 2), {}}, KeepOut{{"van", "truck"}}, "dock"}};
+  DoctorReport report = examine(map);
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings[0].kind, FindingKind::kZone);
+  EXPECT_EQ(report.findings[0].what, "keepout zone \"dock\" for van truck");
+  EXPECT_TRUE(report.plans());
+
+  map.zones = {{{box_ring(1, 1, 2, 2), {}}, SpeedLimit{-1.0}, ""}};
+  map.zone_places = {"feature 4"};
+  report = examine(map);
+  ASSERT_EQ(report.findings.size(), 2u);
+  EXPECT_EQ(report.findings[0].what, "zone 0 (speed_limit) of -1 m/s");
+  EXPECT_EQ(report.findings[1].kind, FindingKind::kZoneRule);
+  EXPECT_EQ(report.findings[1].place, "feature 4");
+  EXPECT_EQ(report.findings[1].what, "max_speed is -1 m/s, must be from 1e-50 to 1e+50");
+  EXPECT_FALSE(report.plans());
+
+  map.zones = {{{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}, KeepOut{}, ""}};
+  report = examine(map);
+  ASSERT_EQ(report.findings.size(), 2u);
+  EXPECT_EQ(report.findings[1].kind, FindingKind::kSelfCrossing);
+  EXPECT_FALSE(report.plans());
+}
+
+TEST(Doctor, RepairKeepsZones) {
+  if (!can_repair()) GTEST_SKIP() << "without GEOS";
+  MapFile map = of({{box_ring(0, 0, 5, 5), {}}, {box_ring(3, 3, 8, 8), {}}});
+  map.zones = {{{{{1, 1}, {2, 1}, {2, 1}, {2, 2}, {1, 1}}, {}}, SpeedLimit{1.0}, "yard"}};
+  const MapFile clean = repaired(map);
+  ASSERT_EQ(clean.zones.size(), 1u);
+  EXPECT_EQ(clean.zones[0].area.outer.size(), 3u);
+}
+
 }  // namespace
 }  // namespace arcway::internal

@@ -54,5 +54,16 @@ TEST(MapFile, WorldGivesItsPolygonsBack) {
   EXPECT_EQ(back.bounds, map.bounds);
 }
 
+TEST(MapFile, ZonesComeBackAndTheirObstaclesDoNot) {
+  MapFile map;
+  map.obstacles = {{{{0, 0}, {1, 0}, {1, 1}}, {}}};
+  map.zones = {{{{{5, 5}, {6, 5}, {6, 6}}, {}}, KeepOut{}, "dock"}};
+  const World world = to_world(map, "w");
+  EXPECT_EQ(world.zones().size(), 1u);
+  const MapFile back = to_map_file(world.for_vehicle(Vehicle{}));
+  EXPECT_EQ(back.obstacles.size(), 1u);
+  EXPECT_EQ(back.zones.size(), 1u);
+}
+
 }  // namespace
 }  // namespace arcway::internal

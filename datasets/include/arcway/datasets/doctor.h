@@ -31,7 +31,9 @@ enum class FindingKind {
   kOutsideBounds,    ///< an obstacle that lies outside of them
   kUnlistedPairs,    ///< more pairs that touch, overlap or lie in each other than are listed
   kDegrees,          ///< coordinates that are degrees by the file, or look like degrees
-  kFarFromOrigin     ///< coordinates so large that doubles are coarse
+  kFarFromOrigin,    ///< coordinates so large that doubles are coarse
+  kZone,             ///< a zone, whatever it is
+  kZoneRule          ///< a zone with numbers or names that World refuses
 };
 /// "self-crossing", "overlap", ...
 ARCWAY_API const char* name_of(FindingKind kind);
@@ -48,7 +50,7 @@ struct Finding {
 };
 
 struct ARCWAY_API DoctorReport {
-  std::vector<Finding> findings;  ///< ring by ring, then pair by pair, then the map
+  std::vector<Finding> findings;  ///< ring by ring, zone by zone, then pair by pair, then the map
   std::size_t obstacles = 0;
   std::size_t vertices = 0;  ///< as written
   /// Whether planning takes the map as it is.

@@ -22,6 +22,8 @@ namespace arcway {
 ///   that contain the obstacle within VectorOptions::curve_tolerance.
 /// - `properties.role`: "obstacle" (default); "boundary" (a Polygon: its outer ring is the bounds, its holes are
 ///   obstacles); "start", "goal" (a Point, with the property `heading`).
+/// - Polygons and MultiPolygons of other roles are zones with a `name`. A "keepout" may have `vehicles`, names of
+///   robots; left out: all. A "speed_limit" has `max_speed` [m/s].
 /// - Top-level `properties`: `bounds` as [xmin, ymin, xmax, ymax], `start` and `goal` as [x, y, heading]. Bounds, start
 ///   or goal given twice are an error.
 ///
@@ -32,7 +34,7 @@ namespace arcway {
 ARCWAY_API MapFile read_geojson(std::string_view text, std::string_view name, const VectorOptions& options = {});
 
 /// A FeatureCollection, one feature a line, that reads back to the same doubles: rings closed, outer rings and holes
-/// as they are.
+/// as they are. Zones keep name and rule.
 ARCWAY_API std::string to_geojson(const MapFile& map);
 
 }  // namespace arcway

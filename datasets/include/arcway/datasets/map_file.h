@@ -12,6 +12,7 @@
 #include "arcway/path.h"
 #include "arcway/polygon.h"
 #include "arcway/world.h"
+#include "arcway/zone.h"
 
 namespace arcway {
 
@@ -34,6 +35,8 @@ struct MapFile {
   /// Where each obstacle came from: "feature 3, polygon 1". One an obstacle, or empty if not read from a file.
   std::vector<std::string> places;
   std::string bounds_place;
+  std::vector<Zone> zones;               ///< see World::zones
+  std::vector<std::string> zone_places;  ///< as `places`, one a zone or empty
   CoordinateFrame frame = CoordinateFrame::kUnstated;
   std::vector<std::filesystem::path> files;  ///< files that were read: the map's, and those that it names
 };
@@ -46,7 +49,7 @@ ARCWAY_API bool looks_like_degrees(const Box& box);
 /// @throws FormatError with the World's complaint and the place in the file.
 ARCWAY_API World to_world(const MapFile& map, std::string_view name);
 
-/// The obstacles and bounds of a world.
+/// The obstacles, bounds and zones of a world. Obstacles that stand for keep-outs are left to the zones.
 ARCWAY_API MapFile to_map_file(const World& world);
 
 }  // namespace arcway
