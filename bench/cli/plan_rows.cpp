@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "arcway/zone.h"
+#include "arcway/zone_stay.h"
 #include "bench/cli/arguments.h"
 #include "core/base/shortest_text.h"
 
@@ -66,6 +68,9 @@ std::string result_rows(const PlanResult& result) {
                   (result.lower_bound > 0.0 ? ", gap " + fixed(100.0 * result.optimality_gap(), 2) + " %" : ""));
   text += row("smallest clearance",
               (result.clearance_is_lower_bound ? "at least " : "") + fixed(result.min_clearance, 6) + " m");
+  for (const ZoneStay& stay : zone_stays(result))
+    text += row("in zone", zone_text(result.scene->world.zones()[stay.zone], stay.zone) + ", " + fixed(stay.time, 3) +
+                               " s, " + fixed(stay.length, 3) + " m");
   return text;
 }
 

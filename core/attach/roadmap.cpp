@@ -19,7 +19,8 @@ Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, CircleRadii r, st
       body(vehicle.body(0.5 * v.safety_margin())),
       outlines(std::move(o)),
       places(std::make_shared<const CirclePlaces>(graph->turn_circles(), outlines)),
-      gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())) {}
+      gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())),
+      speed_zones(SpeedZones::of(w)) {}
 
 Roadmap Roadmap::with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii) const {
   Roadmap map = *this;

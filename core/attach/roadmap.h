@@ -9,6 +9,7 @@
 #include "core/model/outlines.h"
 #include "core/roadmap/circle_radii.h"
 #include "core/roadmap/feasible_graph.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -36,6 +37,7 @@ struct Roadmap {
   std::shared_ptr<const Outlines> outlines;
   std::shared_ptr<const CirclePlaces> places;  ///< of the graph
   std::shared_ptr<const VehicleGaps> gaps;
+  std::shared_ptr<const SpeedZones> speed_zones;  ///< of the world; null: no zone limits the speed
 };
 
 }  // namespace arcway::internal

@@ -114,17 +114,29 @@ std::optional<Refusal> fill_empty(const Vehicle& vehicle, const EndSpeeds& ends,
   return std::nullopt;
 }
 
-std::optional<Refusal> find_speeds(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
-                                   double a, std::vector<double>& v) {
+// The segments of a path, and their limits.
+struct LimitedPath {
+  std::span<const PathSegment> segments;
+  std::span<const double> caps;  // of zones; empty: none
+  const Vehicle& vehicle;
+
+  [[nodiscard]] double limit(std::size_t i) const {
+    const double own = speed_limit(segments[i], vehicle);
+    return caps.empty() ? own : std::min(own, caps[i]);
+  }
+};
+
+std::optional<Refusal> find_speeds(const LimitedPath& limited, const EndSpeeds& ends, double a,
+                                   std::vector<double>& v) {
+  const std::span<const PathSegment> path = limited.segments;
   const std::size_t n = path.size();
-  const auto limit_of = [&vehicle](const PathSegment& segment) { return speed_limit(segment, vehicle); };
   const double start = sign_of(path.front().gear) * ends.start, goal = sign_of(path.back().gear) * ends.goal;
-  if (auto refusal = above_limit("start_speed", start, limit_of(path.front()))) return refusal;
-  if (auto refusal = above_limit("goal_speed", goal, limit_of(path.back()))) return refusal;
+  if (auto refusal = above_limit("start_speed", start, limited.limit(0))) return refusal;
+  if (auto refusal = above_limit("goal_speed", goal, limited.limit(n - 1))) return refusal;
   v.resize(n + 1);
   v[n] = goal;
   for (std::size_t i = n; i-- > 0;) {
-    double limit = i == 0 ? limit_of(path[0]) : std::min(limit_of(path[i - 1]), limit_of(path[i]));
+    double limit = i == 0 ? limited.limit(0) : std::min(limited.limit(i - 1), limited.limit(i));
     if (i > 0 && path[i - 1].gear != path[i].gear) limit = 0.0;
     v[i] = std::min(limit, reachable(v[i + 1], a, path[i].length));
   }
@@ -134,50 +146,83 @@ std::optional<Refusal> find_speeds(std::span<const PathSegment> path, const Vehi
   return out_of_reach("goal_speed", goal, reachable(v[n - 1], a, path[n - 1].length));
 }
 
-std::optional<Refusal> fill(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
-                            SpeedProfile& profile) {
+std::optional<Refusal> fill(const LimitedPath& limited, const EndSpeeds& ends, SpeedProfile& profile) {
+  const std::span<const PathSegment> path = limited.segments;
+  const Vehicle& vehicle = limited.vehicle;
   profile.durations.clear();
   profile.total_time = 0.0;
   if (path.empty()) return fill_empty(vehicle, ends, profile);
   std::vector<double>& v = profile.speeds;
   double a = vehicle.max_acceleration();
-  if (auto refusal = find_speeds(path, vehicle, ends, a, v)) {
+  if (auto refusal = find_speeds(limited, ends, a, v)) {
     if (refusal->is_limit) return refusal;
     a *= 1.0 + kEndTolerance;
-    if (find_speeds(path, vehicle, ends, a, v)) return refusal;
+    if (find_speeds(limited, ends, a, v)) return refusal;
   }
   profile.durations.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double duration =
-        path[i].length > 0.0 ? segment_time(path[i].length, v[i], speed_limit(path[i], vehicle), v[i + 1], a) : 0.0;
+        path[i].length > 0.0 ? segment_time(path[i].length, v[i], limited.limit(i), v[i + 1], a) : 0.0;
     profile.durations.push_back(duration);
     profile.total_time += duration;
   }
   return std::nullopt;
 }
 
+// Sums the parts of each segment of the path that was cut.
+void join_parts(const CappedPath& capped, SpeedProfile& profile) {
+  const std::size_t n = capped.first.size() - 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    double duration = 0.0;
+    for (std::size_t part = capped.first[i]; part < capped.first[i + 1]; ++part) duration += profile.durations[part];
+    profile.speeds[i + 1] = profile.speeds[capped.first[i + 1]];
+    profile.durations[i] = duration;
+  }
+  profile.speeds.resize(n + 1);
+  profile.durations.resize(n);
+}
+
+std::optional<Refusal> fill(const LimitedPath& path, const EndSpeeds& ends, SpeedProfile& profile,
+                            const SpeedZones* zones) {
+  if (zones == nullptr || path.segments.empty()) return fill(path, ends, profile);
+  CappedPath capped;
+  cut(path.segments, *zones, capped);
+  auto refusal = fill({capped.segments, capped.caps, path.vehicle}, ends, profile);
+  if (!refusal) join_parts(capped, profile);
+  return refusal;
+}
+
 }  // namespace
 
-SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends) {
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
+                           const SpeedZones* zones) {
   SpeedProfile profile;
-  if (const auto refusal = fill(path, vehicle, ends, profile)) throw error_of(*refusal);
+  if (const auto refusal = fill({path, {}, vehicle}, ends, profile, zones)) throw error_of(*refusal);
   return profile;
 }
 
 double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
-                   SpeedProfile& profile) {
-  if (fill(path, vehicle, ends, profile)) profile.total_time = kInfinity;
+                   SpeedProfile& profile, const SpeedZones* zones) {
+  if (fill({path, {}, vehicle}, ends, profile, zones)) profile.total_time = kInfinity;
   return profile.total_time;
 }
 
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost) {
-  SpeedProfile profile;
-  return travel_cost(path, vehicle, {}, cusp_cost, profile);
+double capped_travel_time(const CappedPath& capped, const Vehicle& vehicle, const EndSpeeds& ends,
+                          SpeedProfile& profile) {
+  if (fill({capped.segments, capped.caps, vehicle}, ends, profile)) profile.total_time = kInfinity;
+  return profile.total_time;
 }
 
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost,
+                   const SpeedZones* zones) {
+  SpeedProfile profile;
+  return travel_cost(path, vehicle, {}, cusp_cost, profile, zones);
+}
+
+// Many parameters because callers keep path, limits and memory apart.
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends, double cusp_cost,
-                   SpeedProfile& profile) {
-  return travel_time(path, vehicle, ends, profile) + cusp_cost * static_cast<double>(cusps_of(path));
+                   SpeedProfile& profile, const SpeedZones* zones) {
+  return travel_time(path, vehicle, ends, profile, zones) + cusp_cost * static_cast<double>(cusps_of(path));
 }
 
 }  // namespace arcway::internal

@@ -6,6 +6,7 @@
 #include "arcway/path.h"
 #include "arcway/vehicle.h"
 #include "core/motion/end_speeds.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -47,20 +48,28 @@ double top_speed(const TimedSegment& timed, const Vehicle& vehicle);
 /// The fastest speed profile along a path. Speeds are at most speed_limit, |dv/dt| <= max_acceleration, 0 where the
 /// gear changes, and given at both ends. One backward and one forward pass over the joints find the speeds; (9) or (10)
 /// then gives the times. O(n). An empty path has no durations and total time 0.
+/// @param zones  may be null; else their limits hold as well. Speeds and durations are still those of the segments.
 /// @throws std::invalid_argument if an end speed is of the other gear than its segment, above its segment's limit, or
 ///   cannot be reached within the path, with kEndTolerance more acceleration.
-SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends = {});
+SpeedProfile speed_profile(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends = {},
+                           const SpeedZones* zones = nullptr);
 
 /// The fastest profile, into a profile whose memory is used again.
 /// @return its total time [s]; infinity, also in the profile, if no motion along the path has these end speeds.
 double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends,
-                   SpeedProfile& profile);
+                   SpeedProfile& profile, const SpeedZones* zones = nullptr);
+
+/// The travel time of a path that has been cut at the borders of zones [s]; infinity as above. The profile has the
+/// speeds and durations of its parts.
+double capped_travel_time(const CappedPath& capped, const Vehicle& vehicle, const EndSpeeds& ends,
+                          SpeedProfile& profile);
 
 /// The travel time of a path from rest to rest, plus `cusp_cost` for each gear change [s].
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost);
+double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost,
+                   const SpeedZones* zones = nullptr);
 
 /// The travel time between given end speeds, plus `cusp_cost` for each gear change [s]; infinity as for travel_time.
 double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends, double cusp_cost,
-                   SpeedProfile& profile);
+                   SpeedProfile& profile, const SpeedZones* zones = nullptr);
 
 }  // namespace arcway::internal

@@ -11,6 +11,7 @@
 #include "core/motion/clearance.h"
 #include "core/motion/motion_phases.h"
 #include "core/motion/speed_profile.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway {
 
@@ -198,7 +199,17 @@ Trajectory::Trajectory(std::span<const TimedSegment> segments, const Vehicle& ve
 
 Trajectory::Trajectory(std::span<const PathSegment> path, const Vehicle& vehicle, const std::optional<World>& world) {
   for (std::size_t i = 0; i < path.size(); ++i) check_geometry(path[i], i);
-  data_ = std::make_shared<const Data>(timed(path, speed_profile(path, vehicle)), vehicle, world);
+  const std::shared_ptr<const SpeedZones> zones = world && !path.empty() ? SpeedZones::of(*world) : nullptr;
+  CappedPath capped;
+  SpeedProfile profile;
+  if (zones) {
+    cut(path, *zones, capped);
+    path = capped.segments;
+    capped_travel_time(capped, vehicle, {}, profile);
+  } else {
+    profile = speed_profile(path, vehicle);
+  }
+  data_ = std::make_shared<const Data>(timed(path, profile), vehicle, world);
 }
 
 Trajectory::Trajectory(const TimedPath& path, const Vehicle& vehicle, const std::optional<World>& world) {

@@ -1,5 +1,6 @@
 #include "core/planner/no_path.h"
 
+#include <cmath>
 #include <string>
 
 #include "core/gaps/bottleneck_finder.h"
@@ -116,6 +117,20 @@ bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& 
   result.reason = std::string(start ? "the start " : "the goal ") + shortest_text(pose) +
                   (out ? " lies outside the bounds" : "") + ": the body, grown by half of the safety margin, " +
                   collision_text(map.world, *map.outlines, map.queries, map.body, pose);
+  return false;
+}
+
+bool end_speed_obeys_zones(const Roadmap& map, const Pose& pose, bool start, PlanResult& result) {
+  if (map.speed_zones == nullptr) return true;
+  const double speed = std::abs(start ? result.start_speed : result.goal_speed);
+  const double limit = map.speed_zones->cap_at(pose.position());
+  if (speed <= limit) return true;
+  const std::uint32_t zone = map.speed_zones->zone_at(pose.position());
+  result.status = start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;
+  result.certainty = Certainty::kProved;
+  result.reason = std::string(start ? "the start" : "the goal") + " speed " + shortest_text(speed) +
+                  " m/s is above the limit of " + shortest_text(limit) + " m/s of " +
+                  zone_text(map.world.zones()[zone], zone) + " there";
   return false;
 }
 

@@ -26,6 +26,9 @@ struct NoPath {
 /// Whether the body is free at the start, or at the goal. If not, fills in status and reason.
 bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& result);
 
+/// Whether the speed at an end is within the limits of the zones there. If not, the result says which one is exceeded.
+bool end_speed_obeys_zones(const Roadmap& map, const Pose& pose, bool start, PlanResult& result);
+
 /// The reason for a plan without a path where the time was up.
 /// @param limits  as the caller gave them.
 std::string time_limit_reason(const PlanLimits& limits);

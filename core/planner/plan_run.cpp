@@ -102,11 +102,12 @@ void PlanRun::raise_lower_bound() {
 }
 
 double PlanRun::cost_of(const Path& path) {
-  return travel_cost(path, map_.vehicle, query_.ends(), query_.request.cusp_cost, workspace_.profile);
+  return travel_cost(path, map_.vehicle, query_.ends(), query_.request.cusp_cost, workspace_.profile,
+                     map_.speed_zones.get());
 }
 
 double PlanRun::travel_time(const Path& path) {
-  return arcway::internal::travel_time(path, map_.vehicle, query_.ends(), workspace_.profile);
+  return arcway::internal::travel_time(path, map_.vehicle, query_.ends(), workspace_.profile, map_.speed_zones.get());
 }
 
 void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
@@ -130,7 +131,8 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .outlines = map_.outlines.get(),
                           .at_length = mode == RefineMode::kAtLength,
                           .ends = query_.ends(),
-                          .lower_bound = result_.lower_bound};
+                          .lower_bound = result_.lower_bound,
+                          .speed_zones = map_.speed_zones.get()};
   if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {
@@ -209,7 +211,8 @@ void PlanRun::keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t sho
   const bool is_first = !found_;
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
-    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock, query_.ends());
+    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock,
+                        {query_.ends(), map_.speed_zones.get()});
   }
   const Times times = keep(std::move(path), 0, trials, RefineMode::kForwards);
   if (times.cost == kInfinity || (!is_first && times.cost >= fastest_.times.cost)) return;

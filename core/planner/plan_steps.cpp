@@ -146,7 +146,8 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const Pose& goal = query_.request.goal;
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
-    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock, query_.ends());
+    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock,
+                                      {query_.ends(), map_.speed_zones.get()});
     auto free = push_free(shorter, goal, map_.body, map_, clock);
     if (free || length_of(shorter) == length_of(path)) return free;
     return push_free(path, goal, map_.body, map_, clock);

@@ -7,6 +7,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@
 #include "core/roadmap/finished_feasible_graph.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "core/roadmap/restore_feasible_graph.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway {
 
@@ -166,12 +168,21 @@ struct Planner::Data {
   mutable WorkspacePool<PlanWorkspace> workspaces;
 };
 
-void Planner::Data::complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const {
+void Planner::Data::complete(const Path& whole, Grace grace, SpeedProfile& profile, PlanResult& result) const {
   const Stopwatch finishing;
   const Vehicle& vehicle = map().vehicle;
   result.status = PlanStatus::kSolved;
   result.bottleneck.reset();
-  travel_time(path, vehicle, {result.start_speed, result.goal_speed}, profile);
+  const EndSpeeds ends{result.start_speed, result.goal_speed};
+  CappedPath capped;
+  std::span<const PathSegment> path = whole;
+  if (map().speed_zones && !whole.empty()) {
+    cut(whole, *map().speed_zones, capped);
+    path = capped.segments;
+    capped_travel_time(capped, vehicle, ends, profile);
+  } else {
+    travel_time(whole, vehicle, ends, profile);
+  }
   const Body bare = vehicle.body();
   // A point of the body is further from the obstacles than the body.
   result.min_clearance = map().queries.distance->closest(inner_point_of(bare, result.start)).distance;
@@ -315,7 +326,10 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
   result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse,
                                                {request.start_speed, request.goal_speed});
-  if (pose_is_free(d.map(), request.start, true, result) && pose_is_free(d.map(), request.goal, false, result)) {
+  const auto is_possible = [&](const Pose& pose, bool start) {
+    return pose_is_free(d.map(), pose, start, result) && end_speed_obeys_zones(d.map(), pose, start, result);
+  };
+  if (is_possible(request.start, true) && is_possible(request.goal, false)) {
     WorkspacePool<PlanWorkspace>::Lease workspace(d.workspaces);
     const QueryContext query{d.maps, d.options, request, limits, clock};
     PlanRun run(query, *workspace, result);

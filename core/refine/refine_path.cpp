@@ -87,7 +87,7 @@ class Refiner {
     // A radius is known by its curvature alone, and may come out too small by rounding.
     for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_on(circle.side));
     chain.place_ends();
-    if (!chain_.begin(chain, vehicle_, query_.ends)) return;
+    if (!chain_.begin(chain, vehicle_, query_.ends, query_.speed_zones)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
     least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_, false, query_.ends);
     radii_.clear();
@@ -566,7 +566,7 @@ void PathRefiner::refine(const RefineQuery& query, RefinedPath& result) {
   result.path = query.path;
   result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;
   result.interrupted = false;
-  result.travel_time = travel_time(query.path, query.vehicle, query.ends, memory_->profile);
+  result.travel_time = travel_time(query.path, query.vehicle, query.ends, memory_->profile, query.speed_zones);
   if (chain_of(query.path, query.start, query.goal, memory_->first_chain))
     Refiner(query, *memory_, result).run(memory_->first_chain);
 }

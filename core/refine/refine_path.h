@@ -11,6 +11,7 @@
 #include "arcway/world.h"
 #include "core/model/outlines.h"
 #include "core/motion/end_speeds.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -44,6 +45,7 @@ struct RefineQuery {
   bool at_length = false;    ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
   EndSpeeds ends = {};       ///< of the path, which stay as they are
   double lower_bound = 0.0;  ///< on the time of all paths between the poses, as far as it is known [s]
+  const SpeedZones* speed_zones = nullptr;  ///< of the world; null: none
 };
 
 /// Makes a free path faster by local changes, as long as time falls:

@@ -7,8 +7,15 @@
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
 #include "core/motion/end_speeds.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
+
+/// What limits the speeds of a path beside the vehicle.
+struct PathLimits {
+  EndSpeeds ends = {};
+  const SpeedZones* zones = nullptr;  ///< may be null
+};
 
 /// Makes a free path driven forwards faster: the part between two places on it becomes a Dubins word or a biarc that is
 /// free by `sweep`, as long as time falls. Places are ends and middles of segments. This serves paths of many short
@@ -16,8 +23,8 @@ namespace arcway::internal {
 /// and never slower.
 /// @param max_trials  number of paths whose travel time is computed, at most; some microseconds each.
 /// @param clock  asked before each trial; once over, the path so far is the result.
-/// @param ends  speeds of the path. A path that cannot be driven between them may become one that can.
+/// @param limits  of the path's speeds. A path that cannot be driven within them may become one that can.
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-                  const StopClock& clock, const EndSpeeds& ends = {});
+                  const StopClock& clock, const PathLimits& limits = {});
 
 }  // namespace arcway::internal

@@ -21,7 +21,9 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
   return change;
 }
 
-bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends) {
+bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends,
+                       const SpeedZones* zones) {
+  zones_ = zones;
   vehicle_ = &vehicle;
   ends_ = ends;
   if (!make(chain)) return false;
@@ -32,7 +34,7 @@ bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const E
 bool TimedChain::complete(State& state) const {
   if (!lines_of(state.chain, state.lines)) return false;
   path_of(state.chain, state.lines, state.path);
-  return travel_time(state.path, *vehicle_, ends_, state.profile) < kInfinity;
+  return travel_time(state.path, *vehicle_, ends_, state.profile, zones_) < kInfinity;
 }
 
 double TimedChain::turn_on(std::size_t circle) const {

@@ -9,6 +9,7 @@
 #include "core/motion/speed_profile.h"
 #include "core/motion/speed_tree.h"
 #include "core/refine/circle_chain.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -31,10 +32,12 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
 /// A chain with its lines, its path and the path's speeds, and what a change makes of them.
 class TimedChain {
  public:
-  /// Takes a chain. The vehicle must outlive the use.
+  /// Takes a chain. The vehicle and the zones must outlive the use.
   /// @param ends  speeds of its path and those of all changed ones.
+  /// @param zones  whose limits hold; may be null.
   /// @return false if two neighbors have no bitangent, or no motion has these end speeds.
-  bool begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends = {});
+  bool begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends = {},
+             const SpeedZones* zones = nullptr);
 
   [[nodiscard]] const CircleChain& chain() const { return now_.chain; }
   /// See lines_of.
@@ -64,7 +67,8 @@ class TimedChain {
   /// @return false if two neighbors have no bitangent.
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
-  /// The travel time after the change laid out last [s], from its parts alone: exact up to rounding, or too small.
+  /// The travel time after the change laid out last [s], from its parts alone: exact up to rounding, or too small. It
+  /// knows no zones.
   /// Infinity if no motion has the end speeds.
   [[nodiscard]] double time_after(const ChainChange& change);
 
@@ -98,6 +102,7 @@ class TimedChain {
 
   const Vehicle* vehicle_ = nullptr;
   EndSpeeds ends_;
+  const SpeedZones* zones_ = nullptr;
   State now_, made_;
   // Lines and circles alternate: line i has index 2 i, circle i has 2 i + 1.
   std::vector<Stretch> stretches_;

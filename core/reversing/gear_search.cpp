@@ -113,7 +113,7 @@ class GearSearch {
     const Path rest = at == kStartEnd ? word : trees_[kGoalEnd].path_to_root(node);
     path.insert(path.end(), rest.begin(), rest.end());
     if (cusps_of(path) > options_.max_cusps) return;
-    const double cost = travel_cost(path, vehicle_, options_.cusp_cost);
+    const double cost = travel_cost(path, vehicle_, options_.cusp_cost, options_.speed_zones);
     if (cost >= result_.cost || !is_free(word) || !is_free(path)) return;
     result_.cost = cost;
     result_.path = std::move(path);

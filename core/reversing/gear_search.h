@@ -10,6 +10,7 @@
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
 #include "core/model/outlines.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -27,6 +28,8 @@ struct GearSearchOptions {
   double cutoff = std::numeric_limits<double>::infinity();  ///< only paths of less cost are wanted [s]
   std::size_t max_cusps = std::numeric_limits<std::size_t>::max();  ///< largest number of gear changes of a path
   StopClock clock = {};  ///< may end the search; the best path so far is returned
+  /// Whose limits the times of paths obey; null: none. The trees grow as if there were none.
+  const SpeedZones* speed_zones = nullptr;
 };
 
 struct GearSearchResult {

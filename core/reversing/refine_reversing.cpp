@@ -16,6 +16,7 @@
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "core/refine/moves.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -40,6 +41,7 @@ class ReversingRefiner {
         world_(query.world),
         outlines_(query.outlines),
         ends_(query.ends),
+        zones_(query.speed_zones),
         result_(result),
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
@@ -52,7 +54,7 @@ class ReversingRefiner {
       if (!take_all(Stage::kImprove, round)) break;
     most_trials_ = options_.max_trials;
     take_all(Stage::kFinish, 0);
-    result_.travel_time = travel_time(result_.path, vehicle_, ends_, profile_);
+    result_.travel_time = travel_time(result_.path, vehicle_, ends_, profile_, zones_);
   }
 
  private:
@@ -81,7 +83,9 @@ class ReversingRefiner {
     return result_.interrupted || result_.trials >= most_trials_;
   }
 
-  [[nodiscard]] double cost_of(const Path& path) { return travel_cost(path, vehicle_, ends_, changes_.cost, profile_); }
+  [[nodiscard]] double cost_of(const Path& path) {
+    return travel_cost(path, vehicle_, ends_, changes_.cost, profile_, zones_);
+  }
 
   [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kLeastSaving); }
 
@@ -97,7 +101,7 @@ class ReversingRefiner {
 
   [[nodiscard]] std::vector<Station> stations() const {
     const Path& path = result_.path;
-    const SpeedProfile profile = speed_profile(path, vehicle_, ends_);
+    const SpeedProfile profile = speed_profile(path, vehicle_, ends_, zones_);
     std::vector<Station> stations;
     double time = 0.0;
     std::size_t cusps = 0;
@@ -328,7 +332,8 @@ class ReversingRefiner {
                                        .world = world_,
                                        .outlines = outlines_,
                                        .at_length = true,
-                                       .ends = ends});
+                                       .ends = ends,
+                                       .speed_zones = zones_});
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;
@@ -343,6 +348,7 @@ class ReversingRefiner {
   const World* world_;
   const Outlines* outlines_;
   EndSpeeds ends_;
+  const SpeedZones* zones_;
   SpeedProfile profile_;  // memory
   RefinedPath& result_;
   Body body_;

@@ -172,7 +172,8 @@ GearSearchOptions ReversingSearch::gear_options(std::size_t poses) const {
           .max_poses = poses,
           .cutoff = cost_,
           .max_cusps = query_.max_cusps,
-          .clock = options_.clock};
+          .clock = options_.clock,
+          .speed_zones = map_.speed_zones.get()};
 }
 
 FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
@@ -188,7 +189,7 @@ FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
 bool ReversingSearch::offer(const Path& path) {
   if (cusps_of(path) > query_.max_cusps) return false;
   SpeedProfile profile;
-  const double cost = travel_cost(path, map_.vehicle, ends_, options_.cusp_cost, profile);
+  const double cost = travel_cost(path, map_.vehicle, ends_, options_.cusp_cost, profile, map_.speed_zones.get());
   if (cost >= cost_) return true;
   path_ = merged(path);
   cost_ = cost;

@@ -41,6 +41,8 @@ constexpr double kPrefetchHaste = 0.003;
 // in clutter have fewer on nearly all circles.
 constexpr std::uint32_t kExactArrivals = 16;
 constexpr double kSameTime = 1e-4;
+// Share by which an estimate that knows zones may exceed one that does not and counts as the same.
+constexpr double kSameEstimate = 1e-12;
 // Number of paths whose memory is kept: a query holds back one while it looks for others.
 constexpr std::size_t kPaths = 2;
 // Number of entries at the top of the open list: of its first two levels, and of three.
@@ -88,9 +90,12 @@ struct Label {
   std::uint32_t next;    // label on the same circle
 };
 
+PathSegment arc_on(const TurnCircle& circle, double from_heading, double turn) {
+  return {pose_on(circle, from_heading), turn * circle.radius, sign_of(circle.side) / circle.radius};
+}
+
 void append_arc(Path& path, const TurnCircle& circle, double from_heading, double turn) {
-  if (turn > 0.0)
-    path.push_back({pose_on(circle, from_heading), turn * circle.radius, sign_of(circle.side) / circle.radius});
+  if (turn > 0.0) path.push_back(arc_on(circle, from_heading, turn));
 }
 
 void append_line(Path& path, const Pose& start, double length) {
@@ -345,7 +350,20 @@ class ArrivalSearch::Run {
     const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStartCircle) return push_start_links(index);
     const std::size_t joints = w_.times.speeds().size();
-    if (!arrive(arrival_by(entry))) w_.times.truncate(joints);
+    const Label label = arrival_by(entry);
+    if (comes_later(entry, label) || !arrive(label)) w_.times.truncate(joints);
+  }
+
+  // Whether an entry, whose estimate knows no zones, has been put back on the open list for its arrival is not the next
+  // one.
+  bool comes_later(const Entry& entry, const Label& label) {
+    if (!w_.times.has_zones() || w_.open.empty()) return false;
+    const SpeedTree::Joint& arrival = w_.times.speeds()[label.joint];
+    const TurnCircle& circle = graph_.circles()[label.circle];
+    const double exact = arrival.time + remaining(pose_on(circle, label.heading).position(), arrival.speed);
+    if (!(exact > entry.estimate * (1.0 + kSameEstimate)) || exact <= w_.open.first_few(1)[0].estimate) return false;
+    push(entry.kind(), entry.index(), exact);
+    return true;
   }
 
   // The label that a step or a start link leads to.
@@ -355,17 +373,29 @@ class ArrivalSearch::Run {
       const AttachmentLink& link = attachments_.start_link(index);
       const AttachmentCircle& from = attachments_.start_circles()[link.attachment_circle];
       const double radius = circles_.circle(link.circle).radius;
+      const std::uint32_t start = w_.start_joints[link.attachment_circle];
       const std::uint32_t joint =
-          w_.times.add_drive({w_.start_joints[link.attachment_circle], link.turn * from.circle.radius,
-                              from.circle.radius, link.line.length, radius});
+          w_.times.has_zones() ? add_drive(start, arc_on(from.circle, from.heading, link.turn), link.line, radius)
+                               : w_.times.add_drive({start, link.turn * from.circle.radius, from.circle.radius,
+                                                     link.line.length, radius});
       return {link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone};
     }
     const Step step = w_.steps[entry.index()];
     const Label& parent = w_.labels[step.label];
     const double radius = circles_.circle(step.to).radius;
+    const TurnCircle& circle = graph_.circles()[parent.circle];
     const std::uint32_t joint =
-        w_.times.add_drive({parent.joint, step.turn * parent.radius, parent.radius, step.length, radius});
+        w_.times.has_zones()
+            ? add_drive(parent.joint, arc_on(circle, parent.heading, step.turn),
+                        {pose_on(circle, step.heading), step.length}, radius)
+            : w_.times.add_drive({parent.joint, step.turn * parent.radius, parent.radius, step.length, radius});
     return {step.to, 0, radius, step.heading, 0.0, joint, step.label, step.index, kNone};
+  }
+
+  // A drive with the limits of zones, and the joint at its end.
+  std::uint32_t add_drive(std::uint32_t joint, const PathSegment& arc, const Bitangent& line, double next_radius) {
+    joint = w_.times.add_segment(joint, arc, vehicle_.max_speed());
+    return w_.times.add_segment(joint, {line.start, line.length, 0.0}, vehicle_.turn_speed(next_radius));
   }
 
   void push_start_circles() {
@@ -426,6 +456,7 @@ class ArrivalSearch::Run {
   // How far a label can turn before an older one does as well; negative if that is so from the beginning.
   [[nodiscard]] double undominated_turn(const Label& label, Side side) const {
     const SpeedTree& speeds = w_.times.speeds();
+    const std::size_t joints = speeds.size();
     const double speed = vehicle_.turn_speed(label.radius);
     double limit = kInfinity;
     const double same = kSameTime * (label.number / kExactArrivals) * speeds[label.joint].time;
@@ -436,16 +467,26 @@ class ArrivalSearch::Run {
       const Label& other = w_.labels[i];
       const double behind = turn_between(other.heading, label.heading, side);
       if (behind <= other.reach) {
-        const auto here = speeds.extend(other.joint, behind * label.radius, speed, speed);
-        if (speeds.dominates(here, speeds[label.joint], slack(i))) return -1.0;
+        const auto here = turned(other, behind, speed);
+        const bool is_as_good = speeds.dominates(here, speeds[label.joint], slack(i));
+        w_.times.truncate(joints);
+        if (is_as_good) return -1.0;
       }
       const double ahead = turn_between(label.heading, other.heading, side);
       if (ahead <= label.reach && ahead < limit) {
-        const auto there = speeds.extend(label.joint, ahead * label.radius, speed, speed);
+        const auto there = turned(label, ahead, speed);
         if (speeds.dominates(speeds[other.joint], there, slack(i))) limit = ahead;
+        w_.times.truncate(joints);
       }
     }
     return limit;
+  }
+
+  // The joint of a label after a turn on its circle. With zones it lies behind joints that the caller forgets.
+  [[nodiscard]] SpeedTree::Joint turned(const Label& label, double turn, double speed) const {
+    if (!w_.times.has_zones()) return w_.times.speeds().extend(label.joint, turn * label.radius, speed, speed);
+    const PathSegment arc = arc_on(graph_.circles()[label.circle], label.heading, turn);
+    return w_.times.speeds()[w_.times.add_segment(label.joint, arc, speed)];
   }
 
   // Pushes the departures from a circle, from the arrival's heading on, up to the end of its free interval or an older
@@ -478,8 +519,12 @@ class ArrivalSearch::Run {
     SearchAttachments::GoalLink& goal = attachments_.goal_link(g);
     const double turn = turn_between(label.heading, goal.link.line.start.heading, side);
     if (!goes_on(turn) || (goal.checked && !goal.free)) return;
-    const double time = w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link,
-                                              attachments_.goal_circles()[goal.link.attachment_circle]);
+    const AttachmentCircle& to = attachments_.goal_circles()[goal.link.attachment_circle];
+    const double time =
+        w_.times.has_zones()
+            ? w_.times.time_to_goal(label.joint, arc_on(graph_.circles()[label.circle], label.heading, turn), goal.link,
+                                    to)
+            : w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link, to);
     if (time >= goal.best_time) return;
     goal.best_time = time;
     push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);

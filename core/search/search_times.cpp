@@ -1,5 +1,7 @@
 #include "core/search/search_times.h"
 
+#include <algorithm>
+
 #include "core/base/infinity.h"
 #include "core/motion/speed_profile.h"
 
@@ -14,6 +16,7 @@ constexpr double kGoalRounding = 1e-12;
 
 void SearchTimes::begin(const SearchContext& context, bool warm_start) {
   context_ = &context;
+  zones_ = context.map.speed_zones.get();
   line_speed_ = context.vehicle.max_speed();
   if (!warm_start) {
     const SearchOptions& options = context.options;
@@ -25,6 +28,11 @@ std::uint32_t SearchTimes::add_connection(const AttachmentCircle& from) {
   const Path& connection = context_->starts[from.attachment].connection;
   std::uint32_t joint = 0;
   const Stretch circle{0.0, context_->vehicle.turn_speed(from.circle.radius), Gear::kForward};
+  if (zones_ != nullptr) {
+    joint = add_path(joint, connection, circle.limit);
+    const bool stops = !connection.empty() && connection.back().gear != circle.gear;
+    return stops ? speeds_.add_stop(joint, context_->options.cusp_cost) : joint;
+  }
   for (std::size_t i = 0; i < connection.size(); ++i)
     joint = add_stretch(joint, stretch_of(connection[i]),
                         i + 1 < connection.size() ? stretch_of(connection[i + 1]) : circle);
@@ -53,8 +61,23 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
     joint = add_stretch(joint, stretch, next);
     stretch = next;
   }
+  return time_at_goal(add_stretch(joint, stretch, {0.0, context_->options.ends.goal, stretch.gear}), size);
+}
+
+double SearchTimes::time_to_goal(std::uint32_t joint, const PathSegment& arc, const AttachmentLink& link,
+                                 const AttachmentCircle& to) {
+  const std::size_t size = speeds_.size();
+  last_.assign({arc, {link.line.start, link.line.length, 0.0}});
+  const double radius = to.circle.radius;
+  last_.push_back({pose_on(to.circle, link.line.start.heading), link.turn * radius, sign_of(to.circle.side) / radius});
+  const Path& connection = context_->goals[to.attachment].connection;
+  last_.insert(last_.end(), connection.begin(), connection.end());
+  return time_at_goal(add_path(joint, last_, context_->options.ends.goal), size);
+}
+
+// The time at the last joint, if it is fast enough. Forgets the joints from `size` on.
+double SearchTimes::time_at_goal(std::uint32_t joint, std::size_t size) {
   const double goal_speed = context_->options.ends.goal;
-  joint = add_stretch(joint, stretch, {0.0, goal_speed, stretch.gear});
   const bool is_fast_enough = speeds_[joint].speed >= goal_speed * (1.0 - kGoalRounding);
   const double time = is_fast_enough ? speeds_[joint].time : kInfinity;
   speeds_.truncate(size);
@@ -63,6 +86,31 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
 
 SearchTimes::Stretch SearchTimes::stretch_of(const PathSegment& segment) const {
   return {segment.length, speed_limit(segment, context_->vehicle), segment.gear};
+}
+
+std::uint32_t SearchTimes::add_segment(std::uint32_t joint, const PathSegment& segment, double next_limit) {
+  const double own = speed_limit(segment, context_->vehicle);
+  zones_->cut(segment, parts_);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const double limit = std::min(own, parts_[i].cap);
+    if (speeds_[joint].speed > limit) joint = speeds_.add(joint, 0.0, limit, limit);
+    joint = speeds_.add(joint, parts_[i].length, limit,
+                        i + 1 < parts_.size() ? std::min(own, parts_[i + 1].cap) : next_limit);
+  }
+  return joint;
+}
+
+// Segments one after the other, with stops where the gear changes.
+std::uint32_t SearchTimes::add_path(std::uint32_t joint, std::span<const PathSegment> path, double next_limit) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool is_last = i + 1 == path.size(), stops = !is_last && path[i + 1].gear != path[i].gear;
+    joint = add_segment(joint, path[i],
+                        stops     ? 0.0
+                        : is_last ? next_limit
+                                  : speed_limit(path[i + 1], context_->vehicle));
+    if (stops) joint = speeds_.add_stop(joint, context_->options.cusp_cost);
+  }
+  return joint;
 }
 
 // Two joints where the gear changes.

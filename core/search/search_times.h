@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/attach/search_context.h"
 #include "core/motion/speed_tree.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -29,6 +33,12 @@ class SearchTimes {
     double line;          ///< length [m]
     double next_radius;   ///< of the next circle [m]
   };
+  /// Whether zones limit speeds. Times then depend on places: see `add_segment`.
+  [[nodiscard]] bool has_zones() const { return zones_ != nullptr; }
+  /// Adds a segment behind a joint, with the limits of the vehicle and of zones; returns the joint at its end. Where a
+  /// limit falls, a joint without length slows the vehicle first. Precondition: has_zones().
+  /// @param next_limit  on what follows; 0 to stop [m/s].
+  std::uint32_t add_segment(std::uint32_t joint, const PathSegment& segment, double next_limit);
   /// Adds a drive; returns the joint at its end.
   std::uint32_t add_drive(const Drive& drive);
   /// The joint of add_drive, without adding it.
@@ -36,6 +46,10 @@ class SearchTimes {
   /// The exact time of a complete path [s]: from a joint by an arc, a link to a goal's circle, and what follows.
   /// Infinity if it cannot end at the goal's speed.
   double time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
+                      const AttachmentCircle& to);
+  /// The exact time of a complete path with the limits of zones [s]; infinity as above.
+  /// @param arc  on the last circle of the graph.
+  double time_to_goal(std::uint32_t joint, const PathSegment& arc, const AttachmentLink& link,
                       const AttachmentCircle& to);
 
  private:
@@ -47,10 +61,15 @@ class SearchTimes {
   };
   [[nodiscard]] Stretch stretch_of(const PathSegment& segment) const;
   std::uint32_t add_stretch(std::uint32_t joint, const Stretch& stretch, const Stretch& next);
+  std::uint32_t add_path(std::uint32_t joint, std::span<const PathSegment> path, double next_limit);
+  double time_at_goal(std::uint32_t joint, std::size_t size);
 
   const SearchContext* context_ = nullptr;
+  const SpeedZones* zones_ = nullptr;
   double line_speed_ = 0.0;
   SpeedTree speeds_;
+  std::vector<SpeedZones::Stretch> parts_;  // of a segment
+  Path last_;                               // from the last circle of the graph to the goal
 };
 
 }  // namespace arcway::internal

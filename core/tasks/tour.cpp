@@ -15,6 +15,7 @@
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/no_path.h"
 #include "core/planner/planner_inputs.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway {
 
@@ -138,7 +139,7 @@ class TourPlanner {
     Path path = before.path;
     const Path on = leg.path();
     path.insert(path.end(), on.begin(), on.end());
-    const double cost = travel_cost(path, planner_.vehicle(), request_.cusp_cost);
+    const double cost = travel_cost(path, planner_.vehicle(), request_.cusp_cost, zones_.get());
     if (cost >= stop.cost) return certainty;
     stop.cost = cost;
     stop.from = from;
@@ -293,7 +294,7 @@ class TourPlanner {
       plan.statistics.unrefined_travel_time += leg->statistics.unrefined_travel_time;
     }
     const Path path = plan.path();
-    const SpeedProfile profile = speed_profile(path, planner_.vehicle());
+    const SpeedProfile profile = speed_profile(path, planner_.vehicle(), {}, zones_.get());
     for (std::size_t i = 0; i < path.size(); ++i)
       plan.segments[i] = {path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]};
     plan.travel_time = profile.total_time;
@@ -333,6 +334,7 @@ class TourPlanner {
   };
 
   const Planner& planner_;
+  std::shared_ptr<const SpeedZones> zones_ = SpeedZones::of(planner_.world());
   const TourRequest& request_;
   const PlanLimits& limits_;
   Stopwatch watch_;

@@ -5,10 +5,13 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/model/pose_text.h"
 #include "core/validate/edge_grid.h"
 #include "core/validate/motion_check.h"
+#include "core/validate/zone_check.h"
 
 namespace arcway {
 
@@ -23,7 +26,11 @@ class Validation {
  public:
   Validation(const World& world, const EdgeGrid& grid, const Vehicle& vehicle, const TimedPath& path,
              const ValidationOptions& options)
-      : world_(world), grid_(grid), vehicle_(vehicle), path_(path), options_(options) {}
+      : world_(world), grid_(grid), vehicle_(vehicle), path_(path), options_(options) {
+    for (std::size_t i = 0; i < world.zones().size(); ++i)
+      if (const auto* limit = std::get_if<SpeedLimit>(&world.zones()[i].rule))
+        limits_.push_back({ZoneCheck(world.zones()[i].area), limit->max_speed, i});
+  }
 
   ValidationReport run(const Pose& start, const Pose& goal) {
     const std::size_t n = path_.segments.size();
@@ -184,6 +191,22 @@ class Validation {
     if (!(duration >= fastest - slack)) {
       add(Violation::kDuration, i, 0.0,
           "the duration is " + shortest_text(duration) + " s, the shortest possible " + shortest_text(fastest));
+      return;
+    }
+    if (limits_.empty() || !(s.length > 0.0)) return;
+    SegmentSpeeds speeds{v1, v3, limit, a, s.length};
+    speeds.top = top_speed_within(speeds, duration);
+    check_zones(i, speeds);
+  }
+
+  void check_zones(std::size_t i, const SegmentSpeeds& speeds) {
+    const PathSegment& segment = path_.segments[i];
+    for (const Limit& limit : limits_) {
+      const auto place = limit.zone.too_fast(segment, speeds, limit.speed * (1.0 + options_.relative_tolerance));
+      if (!place) continue;
+      add(Violation::kSpeedLimit, i, *place,
+          "the speed is " + shortest_text(speeds.at(*place)) + " m/s in " +
+              zone_text(world_.zones()[limit.index], limit.index) + ", the limit " + shortest_text(limit.speed));
     }
   }
 
@@ -220,8 +243,16 @@ class Validation {
     add(Violation::kCuspSpeed, i, 0.0, "the gear changes at " + shortest_text(speed) + " m/s");
   }
 
+  // A zone that limits the speed.
+  struct Limit {
+    ZoneCheck zone;
+    double speed;
+    std::size_t index;  // among the world's zones
+  };
+
   const World& world_;
   const EdgeGrid& grid_;
+  std::vector<Limit> limits_;
   const Vehicle& vehicle_;
   const TimedPath& path_;
   const ValidationOptions& options_;

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/robot.h"
+#include "arcway/zone.h"
+#include "arcway/zone_stay.h"
 #include "core/base/shortest_text.h"
 #include "datasets/io/json_text.h"
 
@@ -64,6 +69,27 @@ void append_bottleneck(std::string& out, const Bottleneck& bottleneck) {
   out += "]}";
 }
 
+// Where the plan enters zones.
+void append_zones(std::string& out, const PlanResult& result) {
+  const std::vector<ZoneStay> stays = zone_stays(result);
+  if (stays.empty()) return;
+  append_key(out, "zones");
+  out += '[';
+  for (const ZoneStay& stay : stays) {
+    const Zone& zone = result.scene->world.zones()[stay.zone];
+    out += out.back() == '[' ? "{" : ",{";
+    out += "\"zone\":" + std::to_string(stay.zone);
+    append_key(out, "role");
+    detail::append_string(out, role_of(zone));
+    append_key(out, "name");
+    detail::append_string(out, zone.name);
+    append_member(out, "length", stay.length);
+    append_member(out, "time", stay.time);
+    out += '}';
+  }
+  out += ']';
+}
+
 }  // namespace
 
 std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::optional<VehicleParameters>& robot) {
@@ -93,6 +119,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   }
   append_member(out, "lower_bound", result.lower_bound);
   if (result.solved()) append_member(out, "min_clearance", result.min_clearance);
+  append_zones(out, result);
   append_key(out, "path");
   out += '[';
   for (const TimedSegment& segment : result.segments) {
@@ -173,10 +200,10 @@ std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view fram
 namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
-  plan.allow_keys({"format",     "version",      "q",           "status",        "reason", "certainty",
-                   "bottleneck", "interrupted",  "robot",       "start",         "goal",   "travel_time",
-                   "length",     "gear_changes", "lower_bound", "min_clearance", "path",   "statistics",
-                   "goal_index", "passed",       "start_speed", "goal_speed",    "evasion"});
+  plan.allow_keys({"format",     "version",      "q",           "status",        "reason",     "certainty",
+                   "bottleneck", "interrupted",  "robot",       "start",         "goal",       "travel_time",
+                   "length",     "gear_changes", "lower_bound", "min_clearance", "zones",      "path",
+                   "statistics", "goal_index",   "passed",      "start_speed",   "goal_speed", "evasion"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {

@@ -53,3 +53,4 @@
 #include "arcway/world.h"
 #include "arcway/world_change.h"
 #include "arcway/zone.h"
+#include "arcway/zone_stay.h"

@@ -100,6 +100,8 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 /// O(n) to sort the map's edges, some 50 ns each; then one or two milliseconds for a path of a hundred segments. Use a
 /// Validator for many paths on one map.
 ///
+/// Where zones limit the speed, it is checked 0.1 mm inside of their borders and farther in.
+///
 /// Keep-outs for the vehicle are obstacles. Where the world does not have them as such yet, each call makes the world
 /// that the vehicle meets: see World::for_vehicle.
 ///

@@ -107,7 +107,7 @@ class Enumeration {
   }
 
   void end(const Path& path) {
-    const double time = travel_time(path, map_.vehicle, ends_, profile_);
+    const double time = travel_time(path, map_.vehicle, ends_, profile_, map_.speed_zones.get());
     if (std::isinf(time)) return;
     ++paths_;
     best_ = std::min(best_, time);
@@ -198,6 +198,41 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   }
   EXPECT_GT(solved, 30);
   EXPECT_GT(paths, 120u);
+}
+
+TEST(ArrivalSearch, FindsTheFastestOfAllPathsThroughZones) {
+  ArrivalSearch search;
+  int solved = 0, slowed = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::RandomInputs random(seed);
+    const World open = world_of_few(4, 0.2, seed);
+    std::vector<Zone> zones;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 middle = random.point(0.0, open.box().max.x());
+      zones.push_back({Polygon::regular(middle, random.uniform(2.0, 8.0), 5), SpeedLimit{random.uniform(0.5, 5.0)}});
+    }
+    const World world = open.with_zones(zones);
+    VehicleParameters parameters;
+    parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
+    if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
+    const Vehicle vehicle(parameters);
+    std::vector<double> radii{vehicle.min_turning_radius()};
+    if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
+    const Roadmap map = make_map(world, vehicle, CircleRadii(vehicle, radii), GraphMode::kEager);
+    for (int i = 0; i < 20; ++i) {
+      const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
+      const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
+      if (!result.path) continue;
+      ++solved;
+      const double time = speed_profile(*result.path, vehicle, {}, map.speed_zones.get()).total_time;
+      if (time > speed_profile(*result.path, vehicle).total_time) ++slowed;
+      Enumeration all(map, start.pose, goal.pose, time);
+      EXPECT_NEAR(all.best(), time, 1e-9 * time) << "seed " << seed << ", query " << i;
+      EXPECT_GE(all.paths(), 1u);
+    }
+  }
+  EXPECT_GT(solved, 30);
+  EXPECT_GT(slowed, 15);
 }
 
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
