@@ -109,7 +109,7 @@ void PlanArguments::add_outputs_to(CLI::App& command) {
   CLI::Option* picture = command.add_option("--svg", svg, "Write a picture")->type_name("F.svg");
   command
       .add_option("--svg-layers", svg_layers,
-                  "What it shows: bounds,obstacles,graph,swept,path,robot,numbers,axes,markers")
+                  "What it shows: bounds,obstacles,zones,graph,swept,path,robot,numbers,axes,markers")
       ->type_name("LAYER,...")
       ->delimiter(',')
       ->default_str("all but graph and numbers")
@@ -167,7 +167,7 @@ void PlanArguments::check() const {
   for (const std::string& layer : svg_layers)
     if (std::ranges::find(SvgPicture::layers(), layer) == SvgPicture::layers().end())
       throw UsageError(
-          "--svg-layers: expected bounds, obstacles, graph, swept, path, robot, numbers, axes or markers, got " +
+          "--svg-layers: expected bounds, obstacles, zones, graph, swept, path, robot, numbers, axes or markers, got " +
           in_quotes(layer));
 }
 

@@ -4,12 +4,18 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/file_io.h"
+#include "arcway/zone.h"
 #include "core/geometry/convex_prism.h"
 #include "core/model/pose_text.h"
 #include "datasets/io/markup_text.h"
@@ -22,6 +28,8 @@ namespace {
 constexpr double kBorder = 16.0;      // around the map [px]
 constexpr double kLineHeight = 22.0;  // height of a line of a caption [px]
 constexpr std::size_t kMostEdges = 50'000;
+constexpr double kHatch = 9.0;        // between lines of a hatching [px]
+constexpr double kHatchLine = 1.6;    // their width [px]
 constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
 constexpr double kTallest = 1.5;      // height of a map by its width
 constexpr const char* kOutlineColor = "#2b3340";
@@ -91,6 +99,29 @@ std::string open_layer(const std::string& id, const std::string& attributes) {
 // In a caption.
 std::string square(std::string_view color) { return "<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> "; }
 
+// Okabe and Ito's vermilion for zones to stay out of, their orange for those to drive slowly in.
+std::string_view zone_color(const Zone& zone) {
+  return std::holds_alternative<KeepOut>(zone.rule) ? "#d55e00" : "#e69f00";
+}
+
+// A pattern of slanted lines, in meters. The two roles slant to different sides.
+std::string hatch(const std::string& role, const std::string& color, double scale) {
+  const std::string width = shortest_text(kHatch / scale), line = shortest_text(kHatchLine / scale);
+  return "<pattern id=\"hatch-" + role + "\" patternUnits=\"userSpaceOnUse\" width=\"" + width + "\" height=\"" +
+         width + "\" patternTransform=\"rotate(" + (role == "keepout" ? "45" : "-45") + ")\"><path d=\"M0 0V" + width +
+         "\" stroke=\"" + color + "\" stroke-width=\"" + line + "\"/></pattern>\n";
+}
+
+// "school 2 m/s", "dock for van", "zone 3".
+std::string legend_text(const Zone& zone, std::size_t index) {
+  std::string text = zone.name.empty() ? "zone " + std::to_string(index) : zone.name;
+  if (const auto* limit = std::get_if<SpeedLimit>(&zone.rule))
+    return text + " " + rounded_text(limit->max_speed) + " m/s";
+  const std::vector<std::string>& vehicles = std::get<KeepOut>(zone.rule).vehicles;
+  for (std::size_t i = 0; i < vehicles.size(); ++i) text += (i == 0 ? " for " : " and ") + vehicles[i];
+  return text;
+}
+
 Box region_of(const World& world) {
   if (!world.box().empty()) return world.box();
   Box box;
@@ -128,6 +159,7 @@ SvgPicture::SvgPicture(const World& world, const Box& view, double width) : view
   if (view.min.cwiseAbs().maxCoeff() > far) origin_ = view.min.array().round();
   parts_ = std::pow(10.0, std::clamp(std::ceil(std::log10(10.0 * scale_)), 0.0, 12.0));
   add_map(world);
+  add_zones(world);
 }
 
 void SvgPicture::append_point(std::string& out, const Vec2& p) const {
@@ -151,20 +183,41 @@ void SvgPicture::add_map(const World& world) {
   const auto vertices = world.vertices();
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
     const bool bounds = o == world.obstacle_count();
-    if (!bounds && !world.box_of(o).overlaps(view_)) continue;
+    if (!bounds && (!world.box_of(o).overlaps(view_) || world.keep_out_of(o) != kNone)) continue;
     std::string& out = bounds ? bounds_ : obstacles_;
     const auto starts = world.ring_starts(o);
     out += "<path d=\"";
     for (std::size_t r = 0; r < starts.size(); ++r) {
       const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
-      for (VertexId v = starts[r]; v < end; ++v) {
-        out += v == starts[r] ? 'M' : 'L';
-        append_point(out, vertices[v]);
-      }
-      out += 'Z';
+      add_ring(out, vertices.subspan(starts[r], end - starts[r]));
     }
     out += "\"/>\n";
   }
+}
+
+void SvgPicture::add_ring(std::string& out, std::span<const Vec2> ring) const {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    out += i == 0 ? 'M' : 'L';
+    append_point(out, ring[i]);
+  }
+  out += 'Z';
+}
+
+void SvgPicture::add_zones(const World& world) {
+  std::map<std::string, std::string> legends;  // by role
+  for (std::size_t i = 0; i < world.zones().size(); ++i) {
+    const Zone& zone = world.zones()[i];
+    const std::string role = role_of(zone);
+    const std::string color(zone_color(zone));
+    if (!legends.contains(role)) zones_ += hatch(role, color, scale_);
+    zones_ += "<path fill=\"url(#hatch-" + role + ")\" " + stroke(color, 1.2) + " d=\"";
+    add_ring(zones_, zone.area.outer);
+    for (const Ring& hole : zone.area.holes) add_ring(zones_, hole);
+    zones_ += "\"/>\n";
+    std::string& legend = legends[role];
+    legend += (legend.empty() ? square(color) + escaped(role) + ": " : ", ") + escaped(legend_text(zone, i));
+  }
+  for (auto& [role, legend] : legends) zone_legends_.push_back(std::move(legend));
 }
 
 std::size_t SvgPicture::add_edges(std::span<const LineSegment> edges, const EdgeStyle& style, std::string_view id) {
@@ -404,7 +457,7 @@ void SvgPicture::add_obstacle_numbers(const World& world) {
   if (world.obstacle_count() > kMostNumbers) return;
   for (ObstacleId o = 0; o < world.obstacle_count(); ++o) {
     const Box& box = world.box_of(o);
-    if (!box.overlaps(view_)) continue;
+    if (!box.overlaps(view_) || world.keep_out_of(o) != kNone) continue;
     const Vec2 middle = to_picture(view_.closest_point(0.5 * (box.min + box.max)));
     numbers_ += "<text x=\"";
     append(numbers_, std::clamp(middle.x(), 20.0, width_ - 20.0));
@@ -495,8 +548,8 @@ void SvgPicture::append_inset(std::string& out) const {
 }
 
 std::span<const std::string_view> SvgPicture::layers() {
-  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "graph", "swept",  "robot",
-                                                 "path",   "numbers",   "axes",  "markers"};
+  static constexpr std::string_view kLayers[] = {"bounds", "obstacles", "zones",   "graph", "swept",
+                                                 "robot",  "path",      "numbers", "axes",  "markers"};
   return kLayers;
 }
 
@@ -509,6 +562,7 @@ void SvgPicture::show(std::span<const std::string> layers) {
   };
   hide("bounds", bounds_);
   hide("obstacles", obstacles_);
+  hide("zones", zones_);
   hide("graph", graph_);
   hide("swept", swept_);
   hide("path", path_);
@@ -562,6 +616,7 @@ void SvgPicture::append_captions(std::string& out, const std::vector<std::string
 
 std::string SvgPicture::str() const {
   std::vector<std::string> captions = captions_;
+  if (!zones_.empty()) captions.insert(captions.end(), zone_legends_.begin(), zone_legends_.end());
   if (backwards_ && !path_.empty())
     captions.push_back(alternatives_ == 0 ? square(kPathColor) + "forwards, " + square(kReverseColor) + "backwards"
                                           : "dashed: backwards");
@@ -597,6 +652,7 @@ std::string SvgPicture::str() const {
   const std::string fill = "fill=\"", joined = " stroke-linejoin=\"round\"";
   add_layer("bounds", fill + kFreeColor + "\" " + stroke(kOutlineColor, 2.0) + joined, bounds_);
   add_layer("obstacles", "fill-rule=\"evenodd\" fill=\"#3d4757\" " + stroke(kOutlineColor, 0.8) + joined, obstacles_);
+  add_layer("zones", "fill-rule=\"evenodd\"" + joined, zones_);
   out += graph_;
   add_layer("swept", R"(fill="#f6d9a8" fill-opacity="0.6" stroke="none")", swept_);
   add_layer("robot", "fill=\"#f6b26b\" fill-opacity=\"0.45\" " + stroke("#a8441c", 0.8), robot_);

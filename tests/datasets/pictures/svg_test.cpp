@@ -12,6 +12,9 @@
 #include "arcway/datasets/paper_example.h"
 #include "arcway/planner.h"
 #include "arcway/trajectory.h"
+#include "arcway/vehicle.h"
+#include "arcway/world.h"
+#include "arcway/zone.h"
 
 namespace arcway::internal {
 namespace {
@@ -238,7 +241,8 @@ TEST(Svg, KeepsTextsOnThePage) {
 }
 
 TEST(Svg, ShowsTheLayersAskedFor) {
-  const World world({{{{0, 0}, {10, 0}, {10, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}});
+  const World world = World({{{{0, 0}, {10, 0}, {10, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}})
+                          .with_zones({{{{{20, 0}, {30, 0}, {30, 9}}, {}}, SpeedLimit{2.5}}});
   const auto drawn = [&](const std::vector<std::string>& layers) {
     SvgPicture picture(world);
     picture.add_edges(std::vector<LineSegment>{{{0, 0}, {10, 10}}});
@@ -254,6 +258,7 @@ TEST(Svg, ShowsTheLayersAskedFor) {
     const std::string svg = drawn({std::string(layer)});
     for (const std::string_view other : SvgPicture::layers())
       EXPECT_EQ(count(svg, "id=\"" + std::string(other) + "\""), layer == other ? 1u : 0u) << layer << ' ' << other;
+    EXPECT_EQ(count(svg, "2.5 m/s"), layer == "zones" ? 1u : 0u) << layer;
   }
   EXPECT_THROW(drawn({"paths"}), std::invalid_argument);
 }
@@ -281,6 +286,23 @@ TEST(PaperExample, HasEightObstaclesClearOfBothEnds) {
   for (ObstacleId o = 0; o < example.world.region_count(); ++o)
     for (const Pose& pose : {example.start, example.goal})
       EXPECT_EQ(example.world.locate(pose.position(), o), PointLocation::kOutside);
+}
+
+TEST(Svg, HatchesZonesWithALegend) {
+  const World world =
+      World({{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}}}, Ring{{-10, -10}, {90, -10}, {90, 40}, {-10, 40}})
+          .with_zones({{{{{20, 0}, {30, 0}, {30, 9}}, {{{28, 2}, {29, 2}, {29, 3}}}}, KeepOut{}, "a<b"},
+                       {{{{40, 0}, {50, 0}, {50, 9}}, {}}, KeepOut{{"van", "car"}}, ""},
+                       {{{{60, 0}, {70, 0}, {70, 9}}, {}}, SpeedLimit{2.5}, "school"}});
+  const std::string open = SvgPicture(world, 1000.0).str(),
+                    closed = SvgPicture(world.for_vehicle(Vehicle{}), 1000.0).str();
+  EXPECT_EQ(open, closed);
+  for (const char* part :
+       {"<g id=\"zones\" fill-rule=\"evenodd\"", "<pattern id=\"hatch-keepout\"", "<pattern id=\"hatch-speed_limit\"",
+        "M20 0L30 0L30 9ZM28 2L29 2L29 3Z", "keepout: a&lt;b, zone 1 for van and car", "speed_limit: school 2.5 m/s"})
+    EXPECT_EQ(count(open, part), 1u) << part;
+  EXPECT_EQ(count(open, "fill=\"url(#hatch-keepout)\""), 2u);
+  EXPECT_EQ(SvgPicture(world.with_zones({}), 1000.0).str().find("zone"), std::string::npos);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ struct EdgeStyle {
   double opacity = 0.35;  ///< in [0, 1]
 };
 
-/// A picture of a world in layers. Layers are groups with the ids bounds, obstacles, graph, swept, path, robot,
-/// numbers, axes, markers and caption, which Inkscape shows as layers.
+/// A picture of a world in layers. Layers are groups with the ids bounds, obstacles, zones, graph, swept, path, robot,
+/// numbers, axes, markers and caption, which Inkscape shows as layers. Zones are hatched, with a legend below the map.
 ///
 /// All but the numbers, axes, markers and the caption lie in the group "map". That has the world's meters with y up,
 /// rounded to a tenth of a pixel or finer. On maps far from the origin the meters are from the view's corner. The world
@@ -85,6 +85,8 @@ class ARCWAY_API SvgPicture {
 
  private:
   void add_map(const World& world);
+  void add_zones(const World& world);
+  void add_ring(std::string& out, std::span<const Vec2> ring) const;
   struct Colors {
     std::string_view forward, reverse;
   };
@@ -117,9 +119,10 @@ class ARCWAY_API SvgPicture {
   double width_ = 0.0, height_ = 0.0;
   Vec2 origin_{0.0, 0.0};  // origin of the picture's meters
   double parts_ = 10.0;    // parts of a meter that coordinates are rounded to
-  std::string bounds_, obstacles_, graph_, swept_, path_, robot_, numbers_, axes_, markers_;
+  std::string bounds_, obstacles_, zones_, graph_, swept_, path_, robot_, numbers_, axes_, markers_;
   std::string legend_;  // of speeds, below the captions
   std::vector<std::string> captions_;
+  std::vector<std::string> zone_legends_;  // one a role
   struct Inset {
     Vec2 place;   // [m]
     double side;  // [m]
