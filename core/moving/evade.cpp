@@ -1,3 +1,5 @@
+#include "core/moving/evade.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "arcway/moving_obstacle.h"
 #include "core/base/infinity.h"
 #include "core/base/shortest_text.h"
 #include "core/motion/motion_phases.h"
@@ -97,9 +98,11 @@ class Driven {
 
 class Evader {
  public:
-  Evader(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles, double horizon)
+  Evader(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles, double horizon,
+         const SpeedZones* zones)
       : given_(trajectory),
         horizon_(horizon),
+        zones_(zones),
         path_(path_of(trajectory.segments())),
         blocked_(blocked_places(path_, trajectory.vehicle(), obstacles, horizon)) {}
 
@@ -210,28 +213,40 @@ class Evader {
   // Null if the vehicle cannot drive so.
   const NonstopMotion* motion_between(std::size_t from, std::size_t to, std::size_t slower) {
     const auto [known, is_new] = motions_.try_emplace({from, to, slower}, nullptr);
-    if (is_new) known->second = make_motion(from, to, vehicles_[slower]);
+    if (is_new) known->second = make_motion(from, to, slower);
     return known->second.get();
   }
 
-  [[nodiscard]] std::unique_ptr<NonstopMotion> make_motion(std::size_t from, std::size_t to,
-                                                           const Vehicle& vehicle) const {
-    const std::vector<PathSegment> part = part_of(path_, stops_[from], stops_[to]);
+  [[nodiscard]] std::unique_ptr<NonstopMotion> make_motion(std::size_t from, std::size_t to, std::size_t slower) const {
+    const Vehicle& vehicle = vehicles_[slower];
+    const CappedPath capped = capped_part(from, to, kSlower[slower]);
+    const std::vector<PathSegment>& part = capped.segments;
     if (part.empty()) return nullptr;
     const double start = from == 0 ? given_.segments().front().speed_in : 0.0;
     const double end = to + 1 == stops_.size() ? given_.segments().back().speed_out : 0.0;
     const EndSpeeds ends{sign_of(part.front().gear) * start, sign_of(part.back().gear) * end};
     SpeedProfile profile;
-    if (travel_time(part, vehicle, ends, profile) == kInfinity) return nullptr;
+    if (capped_travel_time(capped, vehicle, ends, profile) == kInfinity) return nullptr;
     auto motion = std::make_unique<NonstopMotion>();
     Driven driven(stops_[from], vehicle.max_acceleration());
     for (std::size_t i = 0; i < part.size(); ++i) {
       motion->segments.push_back({part[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]});
-      driven.add(motion->segments.back(), speed_limit(part[i], vehicle));
+      const double limit = speed_limit(part[i], vehicle);
+      driven.add(motion->segments.back(), capped.caps.empty() ? limit : std::min(limit, capped.caps[i]));
     }
     motion->duration = driven.duration();
     motion->blocked = blocked_starts(driven.phases(), blocked_);
     return motion;
+  }
+
+  // The path between two stops, and a share of the limits of zones.
+  [[nodiscard]] CappedPath capped_part(std::size_t from, std::size_t to, double share) const {
+    CappedPath capped{.segments = part_of(path_, stops_[from], stops_[to]), .caps = {}, .first = {}};
+    if (zones_ == nullptr) return capped;
+    const std::vector<PathSegment> part = std::move(capped.segments);
+    cut(part, *zones_, capped);
+    for (double& cap : capped.caps) cap *= share;
+    return capped;
   }
 
   void append(const Arrival& arrival, Evasion& evasion) const {
@@ -263,6 +278,7 @@ class Evader {
 
   const Trajectory& given_;
   double horizon_;
+  const SpeedZones* zones_;
   Path path_;
   std::vector<BlockedPlaces> blocked_;
   std::vector<Vehicle> vehicles_;  // by kSlower
@@ -274,17 +290,23 @@ class Evader {
 };
 
 }  // namespace
-}  // namespace internal
 
-Evasion evade(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles, const EvasionOptions& options) {
+Evasion evade(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles, const EvasionOptions& options,
+              const SpeedZones* zones) {
   check_moving(obstacles);
   check_horizon(options.horizon);
-  Evader evader(trajectory, obstacles, options.horizon);
+  Evader evader(trajectory, obstacles, options.horizon, zones);
   if (evader.is_free_as_given())
     return {.found = true,
             .segments = {trajectory.segments().begin(), trajectory.segments().end()},
             .travel_time = trajectory.duration()};
   return evader.run();
+}
+
+}  // namespace internal
+
+Evasion evade(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles, const EvasionOptions& options) {
+  return internal::evade(trajectory, obstacles, options, nullptr);
 }
 
 }  // namespace arcway

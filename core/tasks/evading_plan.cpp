@@ -1,10 +1,13 @@
 #include "arcway/evading_plan.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/moving/evade.h"
 #include "core/tasks/measure_clearance.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway {
 namespace {
@@ -28,7 +31,8 @@ PlanResult evading_plan(const PlanResult& plan, std::span<const MovingObstacle> 
                         const EvasionOptions& options) {
   if (!plan.solved() || plan.segments.empty()) return plan;
   const Trajectory given = plan.trajectory();
-  Evasion evasion = evade(given, obstacles, options);
+  const std::shared_ptr<const internal::SpeedZones> zones = internal::SpeedZones::of(plan.scene->world);
+  Evasion evasion = internal::evade(given, obstacles, options, zones.get());
   if (!evasion.found) return in_conflict(plan, given, obstacles, evasion.reason);
   if (evasion.travel_time == given.duration()) return plan;
   PlanResult evading = plan;

@@ -76,7 +76,8 @@ struct Evasion {
 /// with waits of any length. Between stops: the fastest motion, or that of three quarters, half or a quarter of all
 /// speeds. Among these motions the one that ends first is found. Blocked places and times are polygons, and the times
 /// at which a motion may begin follow from them in closed form. A path around the obstacles, and other speeds, are not
-/// tried, so that no motion found is no proof. O(stops^2 x blocked polygons).
+/// tried, so that no motion found is no proof. The speed limits of zones are not known here: evading_plan() obeys them.
+/// O(stops^2 x blocked polygons).
 /// @throws std::invalid_argument as conflicts(), or naming the horizon.
 ARCWAY_API Evasion evade(const Trajectory& trajectory, std::span<const MovingObstacle> obstacles,
                          const EvasionOptions& options = {});

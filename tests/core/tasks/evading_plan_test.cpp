@@ -42,6 +42,21 @@ TEST(EvadingPlan, DrivesTheSamePathLater) {
   EXPECT_NEAR(report.travel_time, evading.travel_time, 1e-9);
 }
 
+TEST(EvadingPlan, ObeysTheSpeedLimitsOfZones) {
+  const World world = World({{test::box_ring(14.5, 2.0, 15.5, 3.0), {}}})
+                          .with_zones({{Polygon::rectangle({3.0, -2.0}, {9.0, 2.0}), SpeedLimit{1.5}},
+                                       {Polygon::rectangle({24.0, -2.0}, {32.0, 2.0}), SpeedLimit{2.0}}});
+  const PlanResult given = plan(world, Vehicle(), {0.0, 0.0, 0.0}, {40.0, 0.0, 0.0});
+  ASSERT_TRUE(given.solved()) << given.reason;
+  const std::vector obstacles{barrier(10.0)};
+  const PlanResult evading = evading_plan(given, obstacles);
+  ASSERT_TRUE(evading.solved()) << evading.reason;
+  EXPECT_GT(evading.travel_time, given.travel_time);
+  const ValidationReport report =
+      Validator(world)(given.scene->vehicle, given.start, given.goal, evading.timed_path(), {.moving = obstacles});
+  EXPECT_TRUE(report.valid()) << to_string(report);
+}
+
 TEST(EvadingPlan, KeepsAPlanThatIsFree) {
   const PlanResult given = lane();
   const PlanResult kept = evading_plan(given, std::vector{barrier(0.1)});
