@@ -14,7 +14,7 @@
 namespace arcway::internal {
 namespace {
 
-std::string refusal_of(std::vector<Ring> parts) {
+std::string parts_refusal(std::vector<Ring> parts) {
   try {
     const BodyShape shape(std::move(parts));
   } catch (const std::invalid_argument& error) {
@@ -68,39 +68,39 @@ TEST(BodyShape, OfSeveralPartsHasThatOfTheLargest) {
 }
 
 TEST(BodyShape, PartsMayTouch) {
-  EXPECT_EQ(refusal_of({test::square(0, 0, 1), test::square(1, 0, 1)}), "accepted");
-  EXPECT_EQ(refusal_of({test::square(0, 0, 1), test::square(1, 0.5, 1)}), "accepted");
-  EXPECT_EQ(refusal_of({test::square(0, 0, 1), test::square(1, 1, 1)}), "accepted");
+  EXPECT_EQ(parts_refusal({test::square(0, 0, 1), test::square(1, 0, 1)}), "accepted");
+  EXPECT_EQ(parts_refusal({test::square(0, 0, 1), test::square(1, 0.5, 1)}), "accepted");
+  EXPECT_EQ(parts_refusal({test::square(0, 0, 1), test::square(1, 1, 1)}), "accepted");
 }
 
 TEST(BodyShape, ErrorsNamePartAndVertex) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal_of({}), "vehicle: footprint has 0 parts, must have >= 1");
-  EXPECT_EQ(refusal_of({test::square(0, 0, 1), {{0, 0}, {1, 0}, {0, 0}}}),
+  EXPECT_EQ(parts_refusal({}), "vehicle: footprint has 0 parts, must have >= 1");
+  EXPECT_EQ(parts_refusal({test::square(0, 0, 1), {{0, 0}, {1, 0}, {0, 0}}}),
             "vehicle: footprint[1] has 2 corners, must have >= 3");
-  EXPECT_EQ(refusal_of({{{0, 0}, {1, nan}, {1, 1}}}),
+  EXPECT_EQ(parts_refusal({{{0, 0}, {1, nan}, {1, 1}}}),
             "vehicle: footprint[0][1] is (1, nan), each coordinate must be 0 or of magnitude 1e-100 to 1e+50 m");
-  EXPECT_EQ(refusal_of({{{0, 0}, {1, 0}, {1, 1e51}}}),
+  EXPECT_EQ(parts_refusal({{{0, 0}, {1, 0}, {1, 1e51}}}),
             "vehicle: footprint[0][2] is (1, 1e+51), each coordinate must be 0 or of magnitude 1e-100 to 1e+50 m");
-  EXPECT_EQ(refusal_of({{{0, 0}, {1, 1}, {2, 2}}}), "vehicle: footprint[0] has no area");
+  EXPECT_EQ(parts_refusal({{{0, 0}, {1, 1}, {2, 2}}}), "vehicle: footprint[0] has no area");
   EXPECT_EQ(
-      refusal_of({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
+      parts_refusal({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
       "vehicle: footprint[0]: the side from vertex 0 to 1 crosses the side from vertex 2 to 3 at (1, 1), give the "
       "corners in their order around the body");
-  EXPECT_EQ(refusal_of({{{0, 0}, {2, 2}, {2, 0}, {0, 1}}}),
+  EXPECT_EQ(parts_refusal({{{0, 0}, {2, 2}, {2, 0}, {0, 1}}}),
             "vehicle: footprint[0]: the side from vertex 0 to 1 crosses the side from vertex 2 to 3 at "
             "(0.6666666666666666, 0.6666666666666666), give the corners in their order around the body");
-  EXPECT_EQ(refusal_of({{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}),
+  EXPECT_EQ(parts_refusal({{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}),
             "vehicle: footprint[0][1] and footprint[0][2] are both (1, 0), remove one of them");
-  EXPECT_EQ(refusal_of({{{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}}),
+  EXPECT_EQ(parts_refusal({{{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}}),
             "vehicle: footprint[0][3], (2, 0), lies on the side from vertex 0 to 1: a ring may not touch itself, give "
             "two parts");
   EXPECT_EQ(
-      refusal_of({{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}}),
+      parts_refusal({{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}}),
       "vehicle: footprint[0][1] and footprint[0][4] are both (1, 1): a ring may not touch itself, give two parts");
-  EXPECT_EQ(refusal_of({test::square(0, 0, 2), test::square(1, 1, 2)}),
+  EXPECT_EQ(parts_refusal({test::square(0, 0, 2), test::square(1, 1, 2)}),
             "vehicle: footprint[0] and footprint[1] overlap near (2, 2), join them to one part or move them apart");
-  EXPECT_NE(refusal_of({test::square(0, 0, 4), test::square(1, 1, 1)}).find("overlap"), std::string::npos);
+  EXPECT_NE(parts_refusal({test::square(0, 0, 4), test::square(1, 1, 1)}).find("overlap"), std::string::npos);
 }
 
 TEST(GrownBody, GrowsEachPiece) {

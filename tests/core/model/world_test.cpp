@@ -18,7 +18,7 @@ struct Refusal {
   std::string message;
   ObstacleId obstacle = kNone;
 };
-Refusal refusal_of(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt) {
+Refusal world_refusal(std::vector<Polygon> obstacles, std::optional<Ring> bounds = std::nullopt) {
   try {
     World(std::move(obstacles), std::move(bounds));
   } catch (const WorldError& error) {
@@ -26,7 +26,7 @@ Refusal refusal_of(std::vector<Polygon> obstacles, std::optional<Ring> bounds = 
   }
   return {"accepted"};
 }
-std::string message_for(Ring ring) { return refusal_of({{std::move(ring), {}}}).message; }
+std::string message_for(Ring ring) { return world_refusal({{std::move(ring), {}}}).message; }
 
 TEST(WorldErrors, NameObstacleRingVertexAndValue) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -50,16 +50,16 @@ TEST(WorldErrors, NameObstacleRingVertexAndValue) {
 TEST(WorldErrors, NameTheObstacleOrTheBounds) {
   const Polygon good{square(0, 0, 1), {}};
   const Ring bow_tie{{0, 0}, {3, 3}, {3, 0}, {0, 3}};
-  const Refusal of_obstacle = refusal_of({good, good, {bow_tie, {}}});
+  const Refusal of_obstacle = world_refusal({good, good, {bow_tie, {}}});
   EXPECT_EQ(of_obstacle.message, "obstacle 2, ring 0: edges 0 and 2 cross at (1.5, 1.5)");
   EXPECT_EQ(of_obstacle.obstacle, 2u);
-  const Refusal of_bounds = refusal_of({good, good}, bow_tie);
+  const Refusal of_bounds = world_refusal({good, good}, bow_tie);
   EXPECT_EQ(of_bounds.message, "bounds, ring 0: edges 0 and 2 cross at (1.5, 1.5)");
   EXPECT_EQ(of_bounds.obstacle, 2u);
 }
 
 TEST(WorldErrors, NameHolesThatLeaveTheirRing) {
-  const auto message = [](std::vector<Ring> holes) { return refusal_of({{square(0, 0, 8), holes}}).message; };
+  const auto message = [](std::vector<Ring> holes) { return world_refusal({{square(0, 0, 8), holes}}).message; };
   EXPECT_EQ(message({square(1, 1, 1), square(9, 1, 1)}),
             "obstacle 0, ring 2: the hole lies outside of its outer ring, vertex 0 at (9, 1)");
   EXPECT_EQ(message({square(7, 1, 2)}), "obstacle 0: ring 0 edge 1 and ring 1 edge 0 cross at (8, 1)");
@@ -67,7 +67,7 @@ TEST(WorldErrors, NameHolesThatLeaveTheirRing) {
   EXPECT_EQ(message({square(1, 1, 5), square(2, 2, 1)}), "obstacle 0, ring 2: the hole lies inside the hole of ring 1");
   // Holes whose corners all lie on the outer ring, within and without.
   EXPECT_EQ(message({{{4, 0}, {8, 4}, {4, 8}, {0, 4}}}), "accepted");
-  EXPECT_EQ(refusal_of({{{{0, 0}, {4, 1}, {8, 0}, {8, 8}, {0, 8}}, {{{2, 0.5}, {6, 0.5}, {4, 0.75}}}}}).message,
+  EXPECT_EQ(world_refusal({{{{0, 0}, {4, 1}, {8, 0}, {8, 8}, {0, 8}}, {{{2, 0.5}, {6, 0.5}, {4, 0.75}}}}}).message,
             "obstacle 0, ring 1: the hole lies outside of its outer ring, vertex 0 at (2, 0.5)");
 }
 
