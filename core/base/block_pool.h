@@ -8,7 +8,8 @@ namespace arcway::internal {
 
 /// Memory of large arrays that are gone, kept for the next ones of the same length. The system gives fresh memory page
 /// by page, and zeroes each: that took half of the time in which a planner of 100,004 vertices follows one moved
-/// obstacle. What is kept is never more than what is in use. Thread-safe.
+/// obstacle. What an array leaves that has just grown is not kept: hardly anything has that length again. What is kept
+/// is never more than what is in use. Thread-safe.
 class BlockPool {
  public:
   /// Gives a block back to the system.
@@ -39,6 +40,7 @@ class BlockPool {
   std::mutex mutex_;
   std::array<Block, kMostBlocks + 1> kept_{};  // the oldest first
   std::size_t count_ = 0, kept_bytes_ = 0, used_bytes_ = 0;
+  std::size_t asked_ = 0;  // length of the block that was asked for since the last one came back
 };
 
 }  // namespace arcway::internal

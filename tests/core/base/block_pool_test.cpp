@@ -46,6 +46,22 @@ TEST(BlockPool, KeepsNoMoreThanIsInUse) {
   EXPECT_EQ(released.back(), &blocks[4]);
 }
 
+TEST(BlockPool, KeepsNothingOfAnArrayThatGrows) {
+  released.clear();
+  std::array<int, 4> blocks{};
+  BlockPool pool(release);
+  pool.add_used(1000);
+  EXPECT_EQ(pool.take(200), nullptr);
+  pool.give(&blocks[0], 100);
+  EXPECT_EQ(released, std::vector<void*>{&blocks[0]});
+  pool.give(&blocks[1], 100);
+  EXPECT_EQ(pool.take(301), nullptr);
+  pool.give(&blocks[2], 100);
+  EXPECT_EQ(pool.take(100), &blocks[2]);
+  pool.give(&blocks[3], 100);
+  EXPECT_EQ(released.size(), 1u);
+}
+
 TEST(BlockPool, KeepsSoManyBlocks) {
   released.clear();
   std::array<int, 1000> blocks{};

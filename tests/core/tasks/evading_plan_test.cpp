@@ -44,8 +44,8 @@ TEST(EvadingPlan, DrivesTheSamePathLater) {
 
 TEST(EvadingPlan, ObeysTheSpeedLimitsOfZones) {
   const World world = World({{test::box_ring(14.5, 2.0, 15.5, 3.0), {}}})
-                          .with_zones({{Polygon::rectangle({3.0, -2.0}, {9.0, 2.0}), SpeedLimit{1.5}},
-                                       {Polygon::rectangle({24.0, -2.0}, {32.0, 2.0}), SpeedLimit{2.0}}});
+                          .with_zones({{Polygon::rectangle({3.0, -50.0}, {9.0, 50.0}), SpeedLimit{1.5}},
+                                       {Polygon::rectangle({24.0, -50.0}, {32.0, 50.0}), SpeedLimit{2.0}}});
   const PlanResult given = plan(world, Vehicle(), {0.0, 0.0, 0.0}, {40.0, 0.0, 0.0});
   ASSERT_TRUE(given.solved()) << given.reason;
   const std::vector obstacles{barrier(10.0)};
