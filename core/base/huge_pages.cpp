@@ -21,8 +21,15 @@ constexpr std::size_t kHugePage = std::size_t{1} << 21;
 constexpr std::size_t kLarge = std::size_t{1} << 17;
 constexpr std::size_t kStep = std::size_t{1} << 16;  // of lengths from there on, so that similar arrays share blocks
 
+// Under a sanitizer nothing is kept, so that it sees who reads what is gone.
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kKeeps = false;  // so that the sanitizer sees who reads what is gone
+constexpr bool kKeeps = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool kKeeps = false;
+#else
+constexpr bool kKeeps = true;
+#endif
 #else
 constexpr bool kKeeps = true;
 #endif
