@@ -68,8 +68,7 @@ class TimedChain {
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
   /// The travel time after the change laid out last [s], from its parts alone: exact up to rounding, or too small. It
-  /// knows no zones.
-  /// Infinity if no motion has the end speeds.
+  /// knows no zones. Infinity if no motion has the end speeds.
   [[nodiscard]] double time_after(const ChainChange& change);
 
   /// Makes the changed path.

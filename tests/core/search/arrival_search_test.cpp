@@ -164,6 +164,21 @@ Pose random_pose(test::RandomInputs& random, const World& world) {
   return {random.uniform(1.0, side - 1.0), random.uniform(1.0, side - 1.0), random.uniform(-kPi, kPi)};
 }
 
+// Vehicles of several accelerations, two in three of which turn by a lateral one.
+VehicleParameters parameters_of(std::uint64_t seed) {
+  VehicleParameters parameters;
+  parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
+  if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
+  return parameters;
+}
+
+// Of one radius, or of two for every other seed.
+Roadmap map_of_radii(const World& world, const Vehicle& vehicle, std::uint64_t seed) {
+  std::vector<double> radii{vehicle.min_turning_radius()};
+  if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
+  return make_map(world, vehicle, CircleRadii(vehicle, radii), GraphMode::kEager);
+}
+
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   test::RandomInputs random(11);
   ArrivalSearch search;
@@ -171,14 +186,10 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsWhateverTheAcceleration) {
   std::size_t paths = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const World world = world_of_few(4, 0.2, seed);
-    VehicleParameters parameters;
-    parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
-    if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
+    VehicleParameters parameters = parameters_of(seed);
     if (seed % 4 < 2) parameters.max_steering_angle_right = 0.4;
     const Vehicle vehicle(parameters);
-    std::vector<double> radii{vehicle.min_turning_radius()};
-    if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
-    const Roadmap map = make_map(world, vehicle, CircleRadii(vehicle, radii), GraphMode::kEager);
+    const Roadmap map = map_of_radii(world, vehicle, seed);
     for (int i = 0; i < 20; ++i) {
       const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
@@ -212,13 +223,8 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsThroughZones) {
       zones.push_back({Polygon::regular(middle, random.uniform(2.0, 8.0), 5), SpeedLimit{random.uniform(0.5, 5.0)}});
     }
     const World world = open.with_zones(zones);
-    VehicleParameters parameters;
-    parameters.max_acceleration = std::array{1.0, 2.0, 4.0, 50.0}[seed % 4];
-    if (seed % 3 != 0) parameters.turn_speed = LateralAccelerationLimit{2.0};
-    const Vehicle vehicle(parameters);
-    std::vector<double> radii{vehicle.min_turning_radius()};
-    if (seed % 2 == 0) radii.push_back(3.0 * radii[0]);
-    const Roadmap map = make_map(world, vehicle, CircleRadii(vehicle, radii), GraphMode::kEager);
+    const Vehicle vehicle(parameters_of(seed));
+    const Roadmap map = map_of_radii(world, vehicle, seed);
     for (int i = 0; i < 20; ++i) {
       const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
