@@ -1,6 +1,7 @@
 #include "core/motion/travel_time_lower_bound.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -77,13 +78,39 @@ double time_lost_on_arcs(double arcs, const Vehicle& vehicle, const EndSpeeds& e
   return lost(start_out, at_start) + lost(goal_out, arcs - at_start);
 }
 
+// The time of the shortest path if the limits in the discs about its ends are all that slows it down; 0 if neither end
+// lies in a zone.
+double slow_ends_time(const Vec2& start, const Vec2& goal, double length, const Vehicle& vehicle, const EndSpeeds& ends,
+                      const SpeedZones& zones) {
+  const SpeedZones::Disc first = zones.disc_around(start), last = zones.disc_around(goal);
+  const double top = vehicle.max_speed(), a = vehicle.max_acceleration();
+  if (first.cap >= top && last.cap >= top) return 0.0;
+  const double place_error = kJointUlps * std::max(start.cwiseAbs().maxCoeff(), goal.cwiseAbs().maxCoeff());
+  const double cap0 = std::min(first.cap, top), cap1 = std::min(last.cap, top);
+  const auto within = [&](double radius) { return std::clamp(radius - place_error, 0.0, length); };
+  const double until = within(first.radius), from = length - within(last.radius);
+  // What both discs have has both limits.
+  const double middle = until > from ? std::min(cap0, cap1) : top;
+  const std::array lengths{std::min(until, from), std::abs(from - until), length - std::max(until, from)};
+  const std::array caps{cap0, middle, cap1};
+  std::array speeds{std::min(std::abs(ends.start), cap0), std::min(cap0, middle), std::min(middle, cap1),
+                    std::min(std::abs(ends.goal), cap1)};
+  for (std::size_t i = 0; i < 3; ++i)
+    speeds[i + 1] = std::min(speeds[i + 1], std::sqrt(speeds[i] * speeds[i] + 2.0 * a * lengths[i]));
+  for (std::size_t i = 3; i-- > 0;)
+    speeds[i] = std::min(speeds[i], std::sqrt(speeds[i + 1] * speeds[i + 1] + 2.0 * a * lengths[i]));
+  double time = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) time += relaxed_segment_time(lengths[i], speeds[i], caps[i], speeds[i + 1], a);
+  return time;
+}
+
 }  // namespace
 
 // Many parameters because nearly all callers leave out the last two.
 double travel_time_lower_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
-                               bool reverse, const EndSpeeds& ends) {
+                               bool reverse, const EndSpeeds& ends, const SpeedZones* zones) {
   if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
-    return travel_time_lower_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse, ends);
+    return travel_time_lower_bound(start, goal, distance, vehicle.with_gears_swapped(), reverse, ends, zones);
   const double radius = vehicle.min_turning_radius();
   const double heading_error = kJointUlps * (1.0 + std::abs(start.heading) + std::abs(goal.heading));
   const double place_error = radius * heading_error + kJointUlps * std::max(start.position().cwiseAbs().maxCoeff(),
@@ -99,8 +126,10 @@ double travel_time_lower_bound(const Pose& start, const Pose& goal, double dista
   const double length = std::max({0.0, std::max(distance, word) - place_error, arcs, change});
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = relaxed_segment_time(length, v0, vehicle.max_speed(), v1, a);
+  const double slow_ends =
+      zones != nullptr ? slow_ends_time(start.position(), goal.position(), length, vehicle, ends, *zones) : 0.0;
   return (1.0 - (ends.is_moving() ? kMovingTolerance : kBoundRounding)) *
-         (straight + time_lost_on_arcs(arcs, vehicle, ends));
+         std::max(straight + time_lost_on_arcs(arcs, vehicle, ends), slow_ends);
 }
 
 }  // namespace arcway::internal

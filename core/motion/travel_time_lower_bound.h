@@ -3,6 +3,7 @@
 #include "arcway/path.h"
 #include "arcway/vehicle.h"
 #include "core/motion/end_speeds.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -23,10 +24,19 @@ namespace arcway::internal {
 ///
 /// With `reverse`, the shortest word is that of Reeds and Shepp, Theta = |h1 - h0|, and speeds are those of the faster
 /// gear. Rounding is subtracted, also that of coordinates, and what speed_profile tolerates at moving ends. Constant
-/// time.
+/// time, beside the discs.
+///
+/// **Zones.** The bound is at least the following one where an end lies in a zone that limits the speed. Let c0 and c1
+/// be the limits in the discs of radius r0 and r1 about the ends, see SpeedZones::disc_around. A path is in the first
+/// disc for its first r0 meters at least, and in the second one for its last r1. Its speed is at most A(s) at arc
+/// length s, and B(s') at s' before its end. Here A is the fastest motion from the start at up to c0 for r0 meters,
+/// then at up to v_ms; B is that of the goal backwards. Both grow with their argument. So the place where A = B moves
+/// away from both ends as the path gets longer, and the integral of 1 / min(A, B) grows. It is least for the shortest
+/// path.
 /// @param distance  a length that every path has at least [m]: the straight line, or a point's shortest path if the
 ///   body covers the reference point. Infinity: no path.
+/// @param zones  may be null.
 double travel_time_lower_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
-                               bool reverse = false, const EndSpeeds& ends = {});
+                               bool reverse = false, const EndSpeeds& ends = {}, const SpeedZones* zones = nullptr);
 
 }  // namespace arcway::internal

@@ -96,8 +96,8 @@ void PlanRun::raise_lower_bound() {
   const PlanRequest& request = query_.request;
   distance_ = (*query_.maps.point_distance)(request.start.position(), request.goal.position(), *map_.queries.visibility,
                                             workspace_.point, query_.clock);
-  result_.lower_bound =
-      travel_time_lower_bound(request.start, request.goal, distance_, map_.vehicle, request.reverse, query_.ends());
+  result_.lower_bound = travel_time_lower_bound(request.start, request.goal, distance_, map_.vehicle, request.reverse,
+                                                query_.ends(), map_.speed_zones.get());
   result_.statistics.lower_bound_seconds = bounding.seconds();
 }
 

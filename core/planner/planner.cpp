@@ -325,7 +325,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   request.goal = without_many_turns(asked.goal, distance);
   result.statistics.suboptimality = d.options.suboptimality.value_or(0.0);
   result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse,
-                                               {request.start_speed, request.goal_speed});
+                                               {request.start_speed, request.goal_speed}, d.map().speed_zones.get());
   const auto is_possible = [&](const Pose& pose, bool start) {
     return pose_is_free(d.map(), pose, start, result) && end_speed_obeys_zones(d.map(), pose, start, result);
   };

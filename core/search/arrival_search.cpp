@@ -166,6 +166,7 @@ class ArrivalSearch::Run {
         w_(memory),
         attachments_(memory.attachments) {
     const bool adds_attachments = has_begun_before();
+    if (context.map.speed_zones) slow_goal_ = context.map.speed_zones->disc_around(context.goal);
     w_.times.begin(context, adds_attachments);
     if (!adds_attachments) forget();
     w_.faster_than = context.options.faster_than;
@@ -283,14 +284,22 @@ class ArrivalSearch::Run {
     const double distance = (context_.goal - p).norm();
     switch (context_.options.heuristic) {
       case Heuristic::kTravelTime:
-        return relaxed_segment_time(distance, speed, top_speed_, context_.options.ends.goal,
-                                    vehicle_.max_acceleration());
+        return time_over(distance, speed);
       case Heuristic::kPaperDistance:
         return distance;
       case Heuristic::kDijkstra:
         break;
     }
     return 0.0;
+  }
+
+  // A lower bound on the time over a distance to the goal [s]: what lies in the disc about the goal comes last.
+  [[nodiscard]] double time_over(double distance, double speed) const {
+    const double goal_speed = context_.options.ends.goal, a = vehicle_.max_acceleration();
+    const double slow = std::min(distance, slow_goal_.radius), cap = std::min(top_speed_, slow_goal_.cap);
+    if (slow == 0.0) return relaxed_segment_time(distance, speed, top_speed_, goal_speed, a);
+    return relaxed_segment_time(distance - slow, speed, top_speed_, cap, a) +
+           relaxed_segment_time(slow, cap, cap, goal_speed, a);
   }
 
   // Whether an estimate is low enough. What continues a path that is too slow is not wanted, now or after a warm start.
@@ -588,6 +597,7 @@ class ArrivalSearch::Run {
   const Vehicle& vehicle_;
   double top_speed_;  // in either gear, as connections may have both
   double weight_;     // of the heuristic
+  SpeedZones::Disc slow_goal_{kInfinity, 0.0};
   bool reachability_known_ = false;
   std::size_t known_labels_ = 0;  // of the search before
   SearchResult& result_;

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "arcway/angle.h"
+#include "core/geometry/distance.h"
 #include "core/geometry/ray_parity.h"
 
 namespace arcway::internal {
@@ -104,6 +105,15 @@ double SpeedZones::cap_at(const Vec2& point) const {
   return lowest == nullptr ? kNoCap : lowest->speed;
 }
 
+SpeedZones::Disc SpeedZones::disc_around(const Vec2& point) const {
+  const Limit* lowest = lowest_at(point);
+  if (lowest == nullptr) return {kNoCap, 0.0};
+  double nearest = kNoCap;
+  for (std::uint32_t e = lowest->first; e < lowest->last; ++e)
+    nearest = std::min(nearest, distance(point, edges_[e]));
+  return {lowest->speed, nearest};
+}
+
 std::uint32_t SpeedZones::zone_at(const Vec2& point) const {
   const Limit* lowest = lowest_at(point);
   return lowest == nullptr ? kNone : lowest->zone;
@@ -134,6 +144,8 @@ void SpeedZones::find_crossings(const PathSegment& segment, std::vector<double>&
 
 void SpeedZones::cut(const PathSegment& segment, std::vector<Stretch>& stretches) const {
   stretches.clear();
+  const bool is_outside = zone_tree_.visit_overlaps(box_around(segment), [](std::uint32_t) { return false; });
+  if (is_outside) return stretches.push_back({segment.length, kNoCap});
   std::vector<double> crossings;
   find_crossings(segment, crossings);
   double from = 0.0;

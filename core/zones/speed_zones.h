@@ -35,6 +35,13 @@ class SpeedZones {
 
   /// The lowest limit of the zones that a point lies in [m/s]; infinity in none.
   [[nodiscard]] double cap_at(const Vec2& point) const;
+  /// A disc about a point, in which one limit holds everywhere.
+  struct Disc {
+    double cap;     ///< [m/s]; infinity if the point lies in no zone
+    double radius;  ///< [m]
+  };
+  /// The disc up to the border of the zone whose limit is the lowest at a point.
+  [[nodiscard]] Disc disc_around(const Vec2& point) const;
   /// The zone with that limit, among those given; kNone if there is none.
   [[nodiscard]] std::uint32_t zone_at(const Vec2& point) const;
 

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
@@ -11,6 +14,8 @@
 #include "core/motion/dubins.h"
 #include "core/motion/reeds_shepp.h"
 #include "core/motion/speed_profile.h"
+#include "core/zones/speed_zones.h"
+#include "tests/support/boxes.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -33,6 +38,25 @@ TEST(TravelTimeLowerBound, IsMetByAStraightLine) {
   EXPECT_NEAR(bound, straight_time(30.0, vehicle), 1e-10);
   EXPECT_LE(bound, straight_time(30.0, vehicle));
   EXPECT_EQ(travel_time_lower_bound({1, 2, 0.5}, {1, 2, 0.5}, 0.0, vehicle), 0.0);
+}
+
+// Along a line that leaves the discs about its ends where they end.
+TEST(TravelTimeLowerBound, IsMetByALineThroughZonesAtItsEnds) {
+  const Vehicle vehicle;
+  const Pose start{0, 0, 0}, goal{40, 0, 0};
+  const PathSegment line{start, 40.0, 0.0};
+  for (const auto& [first, last] : std::vector<std::pair<double, double>>{{5, 3}, {0, 7}, {6, 0}, {25, 30}, {50, 50}})
+    for (const EndSpeeds& ends : {EndSpeeds{}, EndSpeeds{0.5, 0.25}}) {
+      std::vector<Zone> zones;
+      if (first > 0) zones.push_back({test::box(-60, -60, first, 60), SpeedLimit{1.0}});
+      if (last > 0) zones.push_back({test::box(40.0 - last, -60, 100, 60), SpeedLimit{2.0}});
+      const SpeedZones limits(zones);
+      SpeedProfile profile;
+      const double time = travel_time(std::span(&line, 1), vehicle, ends, profile, &limits);
+      const double bound = travel_time_lower_bound(start, goal, 40.0, vehicle, false, ends, &limits);
+      EXPECT_LE(bound, time);
+      EXPECT_NEAR(bound, time, 2e-6 * time) << first << ", " << last;
+    }
 }
 
 TEST(TravelTimeLowerBound, IsInfiniteWithoutAWay) {
