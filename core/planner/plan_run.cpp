@@ -72,6 +72,7 @@ bool PlanRun::holds(const When& when) {
   if (when.radii != Radii::kAny && (when.radii == Radii::kSeveral) != query_.maps.tightest.has_value()) return false;
   if (when.care != Care::kAny && (when.care == Care::kThorough) != is_thorough()) return false;
   if ((when.refines && !refines()) || (when.grows_trees && tree_poses_ == 0) || !holds(when.known)) return false;
+  if (when.has_speed_limits && !query_.maps.zone_routes) return false;
   if (when.gap > 0.0) {
     const double cost = when.driving == Driving::kBothGears ? reversing_search().cost() : fastest_.times.cost;
     if (!(cost > (1.0 + when.gap) * result_.lower_bound)) return false;

@@ -97,6 +97,7 @@ class PlanRun {
   void take(const GrowTrees& step, double trials);
   void take(const GrowSlimTrees& step, double trials);
   void take(const RaiseLowerBound& step, double trials);
+  void take(const FollowZoneRoutes& step, double trials);
   void take(const TryManeuvers& step, double trials);
   void take(const TryNarrowPlaces& step, double trials);
   void take(const TryOtherLastCircle& step, double trials);
@@ -127,6 +128,8 @@ class PlanRun {
   [[nodiscard]] const RefinedWay* refined_before(std::uint64_t way, double unrefined) const;
   // Refines a path into the workspace.
   void refine(const Path& path, double trials, RefineMode mode);
+  // A path from start to goal over places that it passes in the middle of its turns. Nothing if some leg has none.
+  std::optional<Path> path_over(std::span<const Vec2> places);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
   void try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
   // Infinite if a path cannot be driven between the speeds at its ends.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -171,6 +172,40 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
 }
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
+
+void PlanRun::take(const FollowZoneRoutes& step, double trials) {
+  const Vec2 start = query_.request.start.position(), goal = query_.request.goal.position();
+  for (const double slower : step.slower) {
+    const auto route = query_.maps.zone_routes->find(start, goal, slower, query_.clock);
+    if (!route) continue;
+    // A route without bends is in the graph.
+    if (route->places.size() == 2 || route->time > (1.0 - step.least_gain) * best_cost_) continue;
+    std::optional<Path> path = path_over(route->places);
+    if (!path || travel_time(*path) > (1.0 + step.unrefined) * best_cost_) continue;
+    keep(std::move(*path), 0, trials, RefineMode::kForwards);
+  }
+}
+
+std::optional<Path> PlanRun::path_over(std::span<const Vec2> places) {
+  Path path;
+  Pose from = query_.request.start;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const bool is_last = i + 1 == places.size();
+    Pose to = query_.request.goal;
+    if (!is_last) {
+      const Vec2 along = (places[i] - places[i - 1]).normalized() + (places[i + 1] - places[i]).normalized();
+      to = {places[i].x(), places[i].y(), std::atan2(along.y(), along.x())};
+    }
+    SearchOptions leg = search_options_;
+    leg.ends = {i == 1 ? query_.ends().start : 0.0, is_last ? query_.ends().goal : 0.0};
+    leg.end_radii = end_radii(kEndRadii);
+    const FoundPath found = search([&] { return find_path_with_maneuvers(map_, {from, to, 0}, leg, workspace_.find); });
+    if (!found.search.path) return std::nullopt;
+    path.insert(path.end(), found.search.path->begin(), found.search.path->end());
+    from = to;
+  }
+  return path;
+}
 
 void PlanRun::take(const TryManeuvers& step, double trials) {
   const std::uint32_t poses = std::min(step.poses, query_.options.maneuver_poses);

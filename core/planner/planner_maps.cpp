@@ -34,6 +34,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::
   }
   if (options.point_robot_lower_bound && plain.vehicle.body().covers_reference())
     point_distance.emplace(plain.world, rows, plain.outlines);
+  if (plain.speed_zones) zone_routes.emplace(plain);
 }
 
 }  // namespace arcway::internal

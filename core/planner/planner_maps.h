@@ -11,6 +11,7 @@
 #include "core/planner/plan_maps.h"
 #include "core/planner/slim_maps.h"
 #include "core/search/point_distance.h"
+#include "core/search/zone_routes.h"
 
 namespace arcway::internal {
 
@@ -40,6 +41,7 @@ struct PlannerMaps {
   std::optional<PlanMaps> tightest;  ///< of the tightest radii only, where there are wider ones
   OtherMaps other;                   ///< of several radii, where there are wider ones
   std::optional<PointDistance> point_distance;
+  std::optional<ZoneRoutes> zone_routes;  ///< where zones limit the speed
   BottleneckFinder bottleneck;
 };
 

@@ -91,6 +91,10 @@ inline constexpr When kOtherRadii{
 // the paths are as fast in the mean.
 inline constexpr std::size_t kEndRadii = 2;
 
+// Factors by which zones count as slower on routes through them. Slowing down at a border takes time that routes do not
+// know, so that a way around may be the faster one.
+inline constexpr std::array kSlowerZones{1.0, 3.0};
+
 // Suboptimality of the search for a first path.
 inline constexpr double kHaste = 1.0;
 
@@ -126,6 +130,11 @@ inline constexpr StrategyRow kStrategy[] = {
 
     // Faster paths, driven forwards.
     {"lower bound around obstacles", {.known = Known::kPath}, RaiseLowerBound{}},
+    // The graph has no circles around zones.
+    {"routes through zones",
+     {.known = Known::kPath, .has_speed_limits = true, .best_gap = kWorthOtherRoutes},
+     FollowZoneRoutes{.slower = kSlowerZones, .least_gain = 0.005, .unrefined = 0.1},
+     kUntilCompared},
     // Beside a wall, tight arcs may be blocked where wide ones lead out, and a path by tight ones may go a long way
     // round.
     {"single arcs of all radii",

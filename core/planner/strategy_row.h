@@ -37,10 +37,11 @@ struct When {
   Driving driving = Driving::kAny;
   Radii radii = Radii::kAny;
   Care care = Care::kAny;
-  bool refines = false;      ///< paths are refined
-  bool grows_trees = false;  ///< trees are wanted: PlanLimits::tree_poses, PlannerOptions::maneuver_poses
-  double gap = 0.0;          ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
-  double best_gap = 0.0;     ///< least gap of the best plan so far
+  bool refines = false;           ///< paths are refined
+  bool has_speed_limits = false;  ///< zones of the map limit the speed
+  bool grows_trees = false;       ///< trees are wanted: PlanLimits::tree_poses, PlannerOptions::maneuver_poses
+  double gap = 0.0;       ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
+  double best_gap = 0.0;  ///< least gap of the best plan so far
   /// At the start or the goal, obstacles end the tightest turns to both sides within this angle [rad]. 0: anywhere.
   double tight_end = 0.0;
 };
@@ -113,6 +114,13 @@ struct GrowSlimTrees {
 };
 /// Raises the lower bound by the length of the way around the obstacles.
 struct RaiseLowerBound {};
+/// Looks for a faster path along the fastest routes of a point through zones that limit the speed: ZoneRoutes. The
+/// vehicle passes the places at which a route bends, and refinement moves them.
+struct FollowZoneRoutes {
+  std::span<const double> slower;  ///< routes to try: factors by which the zones count as slower, from 1 on
+  double least_gain;               ///< of a route's time, as a share of that of the best path
+  double unrefined;                ///< a path that takes longer than the best one by this share is not refined
+};
 /// Looks for a faster path with maneuvers at both ends, on the roadmap in use.
 struct TryManeuvers {
   std::uint32_t poses;  ///< at each end, sparse
@@ -161,11 +169,11 @@ struct GrowNarrowGearTrees {
   std::size_t poses;
 };
 
-using Step =
-    std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
-                 ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound, TryManeuvers,
-                 TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest,
-                 JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
+using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
+                          JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
+                          GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, TryManeuvers, TryNarrowPlaces,
+                          TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest,
+                          JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

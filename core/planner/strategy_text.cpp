@@ -84,6 +84,10 @@ struct StepText {
            ", and push their paths off what the body touches";
   }
   std::string operator()(const RaiseLowerBound&) const { return "raise the lower bound"; }
+  std::string operator()(const FollowZoneRoutes& step) const {
+    return "follow the fastest routes of a point, and of one in zones " + shortest_text(step.slower.back()) +
+           " times as slow";
+  }
   std::string operator()(const TryManeuvers& step) const {
     return "search again, with maneuvers of " + std::to_string(step.poses) + " sparse poses at both ends";
   }
@@ -131,6 +135,7 @@ std::string text_of(const When& when) {
   add(when.radii == Radii::kSeveral, "several radii");
   add(when.care == Care::kThorough, "one radius and refined");
   add(when.care == Care::kQuick, "several radii or unrefined");
+  add(when.has_speed_limits, "zones limit the speed");
   add(when.refines && when.care != Care::kThorough, "refined");
   add(when.gap > 0.0, "gap > " + percent(when.gap));
   add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));

@@ -109,8 +109,7 @@ SpeedZones::Disc SpeedZones::disc_around(const Vec2& point) const {
   const Limit* lowest = lowest_at(point);
   if (lowest == nullptr) return {kNoCap, 0.0};
   double nearest = kNoCap;
-  for (std::uint32_t e = lowest->first; e < lowest->last; ++e)
-    nearest = std::min(nearest, distance(point, edges_[e]));
+  for (std::uint32_t e = lowest->first; e < lowest->last; ++e) nearest = std::min(nearest, distance(point, edges_[e]));
   return {lowest->speed, nearest};
 }
 

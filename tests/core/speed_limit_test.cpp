@@ -170,6 +170,31 @@ TEST(SpeedLimit, ASlowZoneIsAvoidedWhereTheDetourPays) {
   EXPECT_LT(through.travel_time, around.travel_time);
 }
 
+// Nothing but a zone: the graph has no circles around it.
+PlanResult plan_in_the_open(double limit, std::vector<std::string> left_out = {}) {
+  PlannerOptions options;
+  options.leave_out = std::move(left_out);
+  const World world = World({}, box(-20, -40, 80, 40).outer)
+                          .with_zones({{Polygon::rectangle({30, 1}, 20, 20, 0.1), SpeedLimit{limit}, "yard"}});
+  return Planner(world, slow_vehicle(), options).plan({0, 0, 0}, {60, 0, 0});
+}
+
+TEST(SpeedLimit, ASlowZoneIsAvoidedInTheOpenWhereTheDetourPays) {
+  const PlanResult around = plan_in_the_open(0.5), through = plan_in_the_open(5.8);
+  expect_obeyed(around);
+  expect_obeyed(through);
+  EXPECT_TRUE(zone_stays(around).empty());
+  EXPECT_FALSE(zone_stays(through).empty());
+  EXPECT_LT(through.travel_time, around.travel_time);
+  EXPECT_LT(around.travel_time, 0.5 * plan_in_the_open(0.5, {"routes through zones"}).travel_time);
+}
+
+TEST(SpeedLimit, ALimitAtAnEndRaisesTheLowerBound) {
+  const PlanResult plan = plan_straight({{box(-15, -12, 12, 12), SpeedLimit{1.0}}});
+  EXPECT_GT(plan.lower_bound, plan_straight({}).lower_bound + 5.0);
+  EXPECT_LT(plan.optimality_gap(), 1e-6);
+}
+
 TEST(SpeedLimit, HoldsAmongObstaclesForAllVehicles) {
   test::RandomInputs random(9);
   int solved = 0, slowed = 0;
