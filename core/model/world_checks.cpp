@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "arcway/vehicle.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/predicates.h"
@@ -172,6 +173,19 @@ struct RuleComplaint {
     const std::string value = std::isnan(rule.max_speed) ? "nan" : shortest_text(rule.max_speed);
     return "max_speed is " + value + " m/s, must be from " + shortest_text(kSmallestVehicleNumber) + " to " +
            shortest_text(kLargestVehicleNumber) + (rule.max_speed == 0.0 ? "; a zone to stay out of is a keepout" : "");
+  }
+  std::string operator()(const OneWay& rule) const {
+    if (!(std::abs(rule.heading) <= kTwoPi)) return complaint("heading", rule.heading, "-2 pi to 2 pi");
+    if (!(rule.tolerance >= 0.0 && rule.tolerance <= kPi)) return complaint("tolerance", rule.tolerance, "0 to pi");
+    return "";
+  }
+
+ private:
+  static std::string complaint(const char* what, double value, const char* range) {
+    const std::string number = std::isnan(value) ? "nan" : shortest_text(value);
+    return std::string(what) + " is " + number + " rad, must be from " + range +
+           (std::isfinite(value) ? "; if " + number + " is in degrees, write " + shortest_text(value * kPi / 180.0)
+                                 : std::string());
   }
 };
 

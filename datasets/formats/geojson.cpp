@@ -21,15 +21,16 @@ namespace {
 using detail::shown;
 using nlohmann::json;
 
-enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal, kKeepOut, kSpeedLimit };
+enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal, kKeepOut, kSpeedLimit, kOneWay };
 
-bool is_zone(Role role) { return role == Role::kKeepOut || role == Role::kSpeedLimit; }
+bool is_zone(Role role) { return role == Role::kKeepOut || role == Role::kSpeedLimit || role == Role::kOneWay; }
 
 constexpr int kMaxDepth = 32;  // nesting of geometry collections
 
-constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal", "keepout", "speed_limit"};
+constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal", "keepout", "speed_limit", "one_way"};
 constexpr std::string_view kKeepOutProperties[] = {"role", "curve", "id", "name", "vehicles"};
 constexpr std::string_view kSpeedLimitProperties[] = {"role", "curve", "id", "name", "max_speed"};
+constexpr std::string_view kOneWayProperties[] = {"role", "curve", "id", "name", "heading", "tolerance"};
 constexpr std::string_view kTopProperties[] = {"bounds", "start", "goal", "id", "name"};
 constexpr std::string_view kReadProperties[] = {"role", "curve", "heading", "id", "name"};
 // Parts of properties that elsewhere say where, when or how fast one may drive, and whole names that do.
@@ -108,6 +109,7 @@ class GeoJsonReader {
   static std::span<const std::string_view> properties_of(Role role) {
     if (role == Role::kKeepOut) return kKeepOutProperties;
     if (role == Role::kSpeedLimit) return kSpeedLimitProperties;
+    if (role == Role::kOneWay) return kOneWayProperties;
     return kReadProperties;
   }
   // A zone says how one may drive, and so may all of its properties.
@@ -218,6 +220,7 @@ class GeoJsonReader {
     if (*role == "goal") return Role::kGoal;
     if (*role == "keepout") return Role::kKeepOut;
     if (*role == "speed_limit") return Role::kSpeedLimit;
+    if (*role == "one_way") return Role::kOneWay;
     map_.warn(place, unknown_word("role", role->is_string() ? role->get<std::string>() : shown(*role), kRoles) +
                          "; the feature is taken as an obstacle");
     return Role::kObstacle;
@@ -288,11 +291,15 @@ class GeoJsonReader {
   }
 
   [[nodiscard]] ZoneRule rule_of(const json& properties, Role role, const std::string& place) const {
-    if (role == Role::kSpeedLimit) {
-      const auto speed = properties.find("max_speed");
-      if (speed == properties.end()) map_.fail(place, "a speed_limit needs the property \"max_speed\" [m/s]");
-      return SpeedLimit{number(*speed, place + ", max_speed")};
-    }
+    const auto needed = [&](const char* role_name, const char* key, const char* unit) {
+      const auto value = properties.find(key);
+      if (value == properties.end())
+        map_.fail(place, std::string("a ") + role_name + " needs the property \"" + key + "\" [" + unit + "]");
+      return number(*value, place + ", " + key);
+    };
+    if (role == Role::kSpeedLimit) return SpeedLimit{needed("speed_limit", "max_speed", "m/s")};
+    if (role == Role::kOneWay)
+      return OneWay{needed("one_way", "heading", "rad"), needed("one_way", "tolerance", "rad")};
     KeepOut rule;
     const auto vehicles = properties.find("vehicles");
     if (vehicles == properties.end() || vehicles->is_null()) return rule;

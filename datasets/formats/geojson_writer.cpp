@@ -62,6 +62,13 @@ struct RuleText {
     detail::append_number(text, rule.max_speed);
     return text;
   }
+  std::string operator()(const OneWay& rule) const {
+    std::string text = ",\"heading\":";
+    detail::append_number(text, rule.heading);
+    text += ",\"tolerance\":";
+    detail::append_number(text, rule.tolerance);
+    return text;
+  }
 };
 
 std::string properties_of(const Zone& zone) {

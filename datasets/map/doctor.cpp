@@ -43,6 +43,10 @@ struct RuleText {
     return text;
   }
   std::string operator()(const SpeedLimit& rule) const { return " of " + shortest_text(rule.max_speed) + " m/s"; }
+  std::string operator()(const OneWay& rule) const {
+    return " in direction " + shortest_text(rule.heading) + " rad, to either side " + shortest_text(rule.tolerance) +
+           " rad";
+  }
 };
 
 class Examiner {

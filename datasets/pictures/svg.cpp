@@ -30,6 +30,10 @@ constexpr double kLineHeight = 22.0;  // height of a line of a caption [px]
 constexpr std::size_t kMostEdges = 50'000;
 constexpr double kHatch = 9.0;        // between lines of a hatching [px]
 constexpr double kHatchLine = 1.6;    // their width [px]
+constexpr double kArrow = 16.0;       // length of an arrow of a zone's direction [px]
+constexpr double kArrowHead = 4.0;    // half the width of its head [px]
+constexpr double kArrowAlong = 26.0;  // from arrow to arrow, along and aside [px]
+constexpr double kArrowAside = 14.0;
 constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
 constexpr double kTallest = 1.5;      // height of a map by its width
 constexpr const char* kOutlineColor = "#2b3340";
@@ -99,9 +103,11 @@ std::string open_layer(const std::string& id, const std::string& attributes) {
 // In a caption.
 std::string square(std::string_view color) { return "<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> "; }
 
-// Okabe and Ito's vermilion for zones to stay out of, their orange for those to drive slowly in.
+// Okabe and Ito's vermilion for zones to stay out of, their orange for those to drive slowly in, their purple for those
+// to drive in one direction.
 std::string_view zone_color(const Zone& zone) {
-  return std::holds_alternative<KeepOut>(zone.rule) ? "#d55e00" : "#e69f00";
+  constexpr std::array<std::string_view, std::variant_size_v<ZoneRule>> kColors{"#d55e00", "#e69f00", "#cc79a7"};
+  return kColors[zone.rule.index()];
 }
 
 // A pattern of slanted lines, in meters. The two roles slant to different sides.
@@ -112,11 +118,25 @@ std::string hatch(const std::string& role, const std::string& color, double scal
          "\" stroke=\"" + color + "\" stroke-width=\"" + line + "\"/></pattern>\n";
 }
 
-// "school 2 m/s", "dock for van", "zone 3".
+// A pattern of arrows in a direction, in meters.
+std::string arrows(const std::string& id, double heading, const std::string& color, double scale) {
+  const auto text = [scale](double pixels) { return shortest_text(pixels / scale); };
+  const std::string middle = text(0.5 * kArrowAside), back = text(kArrow - kArrowHead);
+  return "<pattern id=\"" + id + "\" patternUnits=\"userSpaceOnUse\" width=\"" + text(kArrowAlong) + "\" height=\"" +
+         text(kArrowAside) + "\" patternTransform=\"rotate(" + rounded_text(heading * 180.0 / kPi) +
+         ")\"><path fill=\"none\" d=\"M0 " + middle + "H" + text(kArrow) + "M" + back + " " +
+         text(0.5 * kArrowAside - kArrowHead) + "L" + text(kArrow) + " " + middle + "L" + back + " " +
+         text(0.5 * kArrowAside + kArrowHead) + "\" stroke=\"" + color + "\" stroke-width=\"" + text(kHatchLine) +
+         "\"/></pattern>\n";
+}
+
+// "school 2 m/s", "dock for van", "lane 1.57 ± 0.1 rad", "zone 3".
 std::string legend_text(const Zone& zone, std::size_t index) {
   std::string text = zone.name.empty() ? "zone " + std::to_string(index) : zone.name;
   if (const auto* limit = std::get_if<SpeedLimit>(&zone.rule))
     return text + " " + rounded_text(limit->max_speed) + " m/s";
+  if (const auto* way = std::get_if<OneWay>(&zone.rule))
+    return text + " " + rounded_text(way->heading) + " \u00B1 " + rounded_text(way->tolerance) + " rad";
   const std::vector<std::string>& vehicles = std::get<KeepOut>(zone.rule).vehicles;
   for (std::size_t i = 0; i < vehicles.size(); ++i) text += (i == 0 ? " for " : " and ") + vehicles[i];
   return text;
@@ -209,8 +229,14 @@ void SvgPicture::add_zones(const World& world) {
     const Zone& zone = world.zones()[i];
     const std::string role = role_of(zone);
     const std::string color(zone_color(zone));
-    if (!legends.contains(role)) zones_ += hatch(role, color, scale_);
-    zones_ += "<path fill=\"url(#hatch-" + role + ")\" " + stroke(color, 1.2) + " d=\"";
+    std::string pattern = "hatch-" + role;
+    if (const auto* way = std::get_if<OneWay>(&zone.rule)) {
+      pattern += "-" + std::to_string(i);
+      zones_ += arrows(pattern, way->heading, color, scale_);
+    } else if (!legends.contains(role)) {
+      zones_ += hatch(role, color, scale_);
+    }
+    zones_ += "<path fill=\"url(#" + pattern + ")\" " + stroke(color, 1.2) + " d=\"";
     add_ring(zones_, zone.area.outer);
     for (const Ring& hole : zone.area.holes) add_ring(zones_, hole);
     zones_ += "\"/>\n";

@@ -28,8 +28,17 @@ struct SpeedLimit {
   friend bool operator==(const SpeedLimit&, const SpeedLimit&) = default;
 };
 
+/// A zone that vehicles drive in one direction only. While F is inside, and moves, its direction of motion differs from
+/// `heading` by at most `tolerance`. In reverse, the direction of motion is opposite to the body's heading. The border
+/// is not inside: a path along it has any direction.
+struct OneWay {
+  double heading;    ///< counter-clockwise from +x, from -2 pi to 2 pi [rad]
+  double tolerance;  ///< to either side, from 0 to pi [rad]; pi allows all directions
+  friend bool operator==(const OneWay&, const OneWay&) = default;
+};
+
 /// What a zone asks of vehicles.
-using ZoneRule = std::variant<KeepOut, SpeedLimit>;
+using ZoneRule = std::variant<KeepOut, SpeedLimit, OneWay>;
 
 /// A part of the map with a rule for vehicles. Zones may overlap, nest, and cover obstacles; all rules hold.
 struct Zone {
@@ -38,7 +47,7 @@ struct Zone {
   std::string name = {};  ///< for messages; need not be unique
 };
 
-/// The role of a zone in map files: "keepout" or "speed_limit".
+/// The role of a zone in map files: "keepout", "speed_limit" or "one_way".
 ARCWAY_API const char* role_of(const Zone& zone);
 
 /// "keepout zone \"dock\"", or "zone 3 (keepout)" without a name.

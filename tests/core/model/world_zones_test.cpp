@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "arcway/world_change.h"
@@ -126,6 +127,19 @@ TEST(WorldZones, WrongOnesAreRefusedByNameValueAndLimit) {
   EXPECT_NE(error_of({{area, SpeedLimit{std::numeric_limits<double>::quiet_NaN()}}}).find("max_speed is nan"),
             std::string::npos);
   EXPECT_NE(error_of({{area, SpeedLimit{INFINITY}}}).find("max_speed is inf"), std::string::npos);
+  EXPECT_EQ(error_of({{area, OneWay{-kTwoPi, 0.0}}, {area, OneWay{kTwoPi, kPi}}}), "");
+  EXPECT_EQ(error_of({{area, OneWay{90.0, 0.2}, "aisle"}}),
+            "0; one_way zone \"aisle\": heading is 90 rad, must be from -2 pi to 2 pi; if 90 is in degrees, write "
+            "1.5707963267948966");
+  EXPECT_NE(
+      error_of({{area, OneWay{0.0, 10.0}}}).find("tolerance is 10 rad, must be from 0 to pi; if 10 is in degrees"),
+      std::string::npos);
+  EXPECT_EQ(error_of({{area, OneWay{0.0, -INFINITY}}}),
+            "0; zone 0 (one_way): tolerance is -inf rad, must be from 0 to pi");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(error_of({{area, OneWay{nan, 0.0}}}),
+            "0; zone 0 (one_way): heading is nan rad, must be from -2 pi to 2 pi");
+  EXPECT_NE(error_of({{area, OneWay{0.0, nan}}}).find("tolerance is nan rad, must be from 0 to pi"), std::string::npos);
   EXPECT_NE(error_of({{area, KeepOut{{"van", ""}}}}).find("a name of \"vehicles\" is empty"), std::string::npos);
   EXPECT_EQ(error_of({{{{{0, 0}, {1, 0}}, {}}, KeepOut{}, "stub"}}),
             "0; keepout zone \"stub\", ring 0: a ring needs at least 3 vertices, this one has 2");

@@ -364,10 +364,12 @@ TEST(GeoJson, ReadsZones) {
       collection(feature(polygon(kSquare), R"({"role":"keepout","name":"dock"})") + "," +
                  feature(polygon(kSquare), R"({"role":"keepout","vehicles":["van","truck"]})") + "," +
                  feature(R"({"type":"MultiPolygon","coordinates":[[)" + std::string(kSquare) + "],[" + kSquare + "]]}",
-                         R"({"role":"speed_limit","max_speed":2.5,"name":7})")));
+                         R"({"role":"speed_limit","max_speed":2.5,"name":7})") +
+                 "," + feature(polygon(kSquare), R"({"role":"one_way","heading":1.5,"tolerance":0.25})")));
   EXPECT_TRUE(map.obstacles.empty());
   EXPECT_TRUE(map.warnings.empty()) << map.warnings.front();
-  ASSERT_EQ(map.zones.size(), 4u);
+  ASSERT_EQ(map.zones.size(), 5u);
+  EXPECT_EQ(map.zones[4].rule, ZoneRule(OneWay{1.5, 0.25}));
   EXPECT_EQ(map.zones[0].rule, ZoneRule(KeepOut{}));
   EXPECT_EQ(map.zones[0].name, "dock");
   EXPECT_EQ(map.zones[0].area.outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
@@ -382,10 +384,12 @@ TEST(GeoJson, ZonesReadBackToTheSame) {
   const Ring ring{{0, 0}, {9, 0}, {9, 9}}, hole{{5, 1}, {6, 1}, {6, 2}};
   map.zones = {{{ring, {hole}}, KeepOut{}, "a \"b\""},
                {{ring, {}}, KeepOut{{"x", "y"}}, ""},
-               {{ring, {}}, SpeedLimit{0.1}, "c"}};
+               {{ring, {}}, SpeedLimit{0.1}, "c"},
+               {{ring, {}}, OneWay{-0.1, 0.7}, "d"}};
   const MapFile back = geojson_of(to_geojson(map));
-  ASSERT_EQ(back.zones.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) {
+  ASSERT_EQ(back.zones.size(), 4u);
+  EXPECT_TRUE(back.zones[3].area.holes.empty());
+  for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(back.zones[i].rule, map.zones[i].rule);
     EXPECT_EQ(back.zones[i].name, map.zones[i].name);
     EXPECT_EQ(back.zones[i].area.outer, ring);
@@ -397,8 +401,13 @@ TEST(GeoJson, ZonesReadBackToTheSame) {
 TEST(GeoJson, WarnsOfPropertiesThatZonesDoNotHave) {
   const MapFile map = geojson_of(collection(feature(polygon(kSquare), R"({"role":"keepout","max_speed":2})") + "," +
                                             feature(polygon(kSquare), R"({"role":"keepout","max_speed":3})") + "," +
-                                            feature(polygon(kSquare), R"({"role":"keepout","vehicle":["van"]})")));
-  ASSERT_EQ(map.warnings.size(), 2u);
+                                            feature(polygon(kSquare), R"({"role":"keepout","vehicle":["van"]})") + "," +
+                                            feature(polygon(kSquare), R"({"role":"one_way","heading":1,"tolerance":1,)"
+                                                                      R"("max_speed":1})")));
+  ASSERT_EQ(map.warnings.size(), 3u);
+  EXPECT_EQ(map.warnings[2],
+            "world.geojson: feature 3: the property \"max_speed\" of a zone is not read; these are: role curve id name "
+            "heading tolerance");
   EXPECT_EQ(
       map.warnings[0],
       "world.geojson: feature 0: the property \"max_speed\" (and of 1 more) of a zone is not read; these are: role "
@@ -418,6 +427,10 @@ TEST(GeoJson, RefusesWrongZones) {
       "for all vehicles");
   EXPECT_EQ(geojson_error(feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})", R"({"role":"keepout"})")),
             "world.geojson: feature 0: a zone must be a Polygon or MultiPolygon, found \"LineString\"");
+  EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"one_way","heading":1})")),
+            "world.geojson: feature 0: a one_way needs the property \"tolerance\" [rad]");
+  EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"one_way","heading":"90deg","tolerance":1})")),
+            "world.geojson: feature 0, heading: expected a number, found \"90deg\"");
   const std::string wrong = feature(polygon(kSquare), R"({"role":"speed_limit","max_speed":0,"name":"yard"})");
   EXPECT_EQ(test::format_error_of([&] { static_cast<void>(to_world(geojson_of(wrong), "w.geojson")); }).substr(0, 71),
             "w.geojson: feature 0: speed_limit zone \"yard\": max_speed is 0 m/s, must");

@@ -305,6 +305,12 @@ TEST(Doctor, ListsZonesAndFindsWhatIsWrongWithThem) {
   EXPECT_EQ(report.findings[1].what, "max_speed is -1 m/s, must be from 1e-50 to 1e+50");
   EXPECT_FALSE(report.plans());
 
+  map.zones = {{{box_ring(1, 1, 2, 2), {}}, OneWay{1.5, 0.25}, "aisle"}};
+  report = examine(map);
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings[0].what, "one_way zone \"aisle\" in direction 1.5 rad, to either side 0.25 rad");
+  EXPECT_TRUE(report.plans());
+
   map.zones = {{{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}, KeepOut{}, ""}};
   report = examine(map);
   ASSERT_EQ(report.findings.size(), 2u);

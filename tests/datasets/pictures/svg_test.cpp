@@ -305,5 +305,17 @@ TEST(Svg, HatchesZonesWithALegend) {
   EXPECT_EQ(SvgPicture(world.with_zones({}), 1000.0).str().find("zone"), std::string::npos);
 }
 
+TEST(Svg, FillsOneWayZonesWithArrowsInTheirDirections) {
+  const World world = World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}})
+                          .with_zones({{{{{20, 0}, {30, 0}, {30, 9}}, {}}, OneWay{0.5 * kPi, 0.25}, "aisle"},
+                                       {{{{40, 0}, {50, 0}, {50, 9}}, {}}, OneWay{-0.25, 0.0}, ""}});
+  const std::string svg = SvgPicture(world, 1000.0).str();
+  for (const char* part :
+       {"<pattern id=\"hatch-one_way-0\"", "patternTransform=\"rotate(90)\"", "<pattern id=\"hatch-one_way-1\"",
+        "patternTransform=\"rotate(-14.324)\"", "fill=\"url(#hatch-one_way-1)\"",
+        "one_way: aisle 1.571 \u00B1 0.25 rad, zone 1 -0.25 \u00B1 0 rad"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part << "\n" << svg;
+}
+
 }  // namespace
 }  // namespace arcway::internal

@@ -26,7 +26,8 @@ struct EdgeStyle {
 };
 
 /// A picture of a world in layers. Layers are groups with the ids bounds, obstacles, zones, graph, swept, path, robot,
-/// numbers, axes, markers and caption, which Inkscape shows as layers. Zones are hatched, with a legend below the map.
+/// numbers, axes, markers and caption, which Inkscape shows as layers. Zones are hatched, one-way zones by arrows, with
+/// a legend below the map.
 ///
 /// All but the numbers, axes, markers and the caption lie in the group "map". That has the world's meters with y up,
 /// rounded to a tenth of a pixel or finer. On maps far from the origin the meters are from the view's corner. The world
