@@ -28,8 +28,11 @@ class Validation {
              const ValidationOptions& options)
       : world_(world), grid_(grid), vehicle_(vehicle), path_(path), options_(options) {
     for (std::size_t i = 0; i < world.zones().size(); ++i)
-      if (const auto* limit = std::get_if<SpeedLimit>(&world.zones()[i].rule))
+      if (const auto* limit = std::get_if<SpeedLimit>(&world.zones()[i].rule)) {
         limits_.push_back({ZoneCheck(world.zones()[i].area), limit->max_speed, i});
+      } else if (const auto* way = std::get_if<OneWay>(&world.zones()[i].rule)) {
+        ways_.push_back({ZoneCheck(world.zones()[i].area), *way, i});
+      }
   }
 
   ValidationReport run(const Pose& start, const Pose& goal) {
@@ -41,6 +44,7 @@ class Validation {
     if (report_.valid()) {
       check_ends(start, goal);
       for (std::size_t i = 0; i < n; ++i) check_shape(i);
+      for (std::size_t i = 0; i < n; ++i) check_directions(i);
       check_motion(start);
       for (std::size_t i = 0; has_times() && i < n; ++i) check_time(i);
       check_end_speeds();
@@ -108,6 +112,20 @@ class Validation {
     }
     if (s.gear == Gear::kReverse && !options_.reverse) {
       add(Violation::kReverse, i, 0.0, "the segment is driven backwards, which is not allowed");
+    }
+  }
+
+  void check_directions(std::size_t i) {
+    const PathSegment& segment = path_.segments[i];
+    for (const Way& way : ways_) {
+      const auto place = way.zone.against(segment, way.rule.heading, way.rule.tolerance + options_.heading_tolerance);
+      if (!place) continue;
+      const double body = segment.at(*place).heading;
+      const double direction = segment.gear == Gear::kForward ? body : body + std::numbers::pi;
+      add(Violation::kDirection, i, *place,
+          "the direction of motion is " + shortest_text(heading_difference(direction, way.rule.heading)) +
+              " rad off that of " + zone_text(world_.zones()[way.index], way.index) + ", allowed are " +
+              shortest_text(way.rule.tolerance));
     }
   }
 
@@ -250,9 +268,17 @@ class Validation {
     std::size_t index;  // among the world's zones
   };
 
+  // A zone that is driven in one direction.
+  struct Way {
+    ZoneCheck zone;
+    OneWay rule;
+    std::size_t index;  // among the world's zones
+  };
+
   const World& world_;
   const EdgeGrid& grid_;
   std::vector<Limit> limits_;
+  std::vector<Way> ways_;
   const Vehicle& vehicle_;
   const TimedPath& path_;
   const ValidationOptions& options_;
@@ -293,6 +319,8 @@ const char* name_of(Violation violation) {
       return "driven backwards";
     case Violation::kCuspSpeed:
       return "speed at a cusp";
+    case Violation::kDirection:
+      return "driving direction";
   }
   return "unknown";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace arcway::internal {
@@ -79,6 +80,36 @@ std::optional<double> ZoneCheck::too_fast(const PathSegment& segment, const Segm
     const double middle = 0.5 * (s0 + s1), half = 0.5 * (s1 - s0), inside = depth(segment.at(middle).position());
     if (inside <= -half) continue;
     if (inside >= half + kBorder) return fastest;
+    if (half < 0.25 * kBorder) continue;
+    parts.emplace_back(middle, s1);
+    parts.emplace_back(s0, middle);
+  }
+  return std::nullopt;
+}
+
+// The distance from an edge is convex along the chord, and the arc is nowhere further from the chord than its height.
+bool ZoneCheck::is_along_border(const PathSegment& segment, double s0, double s1) const {
+  const double height = std::abs(segment.curvature) * (s1 - s0) * (s1 - s0) / 8.0;
+  const Vec2 from = segment.at(s0).position(), to = segment.at(s1).position();
+  return std::ranges::any_of(edges_, [&](const LineSegment& edge) {
+    return std::max(distance_to(from, edge), distance_to(to, edge)) + height <= kBorder;
+  });
+}
+
+std::optional<double> ZoneCheck::against(const PathSegment& segment, double heading, double most) const {
+  if (!(segment.length > 0.0)) return std::nullopt;  // no motion
+  const double turned = segment.gear == Gear::kForward ? 0.0 : std::numbers::pi;
+  std::vector<std::pair<double, double>> parts{{0.0, segment.length}};
+  while (!parts.empty()) {
+    const auto [s0, s1] = parts.back();
+    parts.pop_back();
+    const double middle = 0.5 * (s0 + s1), half = 0.5 * (s1 - s0);
+    const Pose pose = segment.at(middle);
+    const double off = std::abs(std::remainder(pose.heading + turned - heading, 2.0 * std::numbers::pi));
+    if (off + half * std::abs(segment.curvature) <= most) continue;
+    const double inside = depth(pose.position());
+    if (off > most && inside > kBorder) return middle;
+    if (inside + half <= kBorder || is_along_border(segment, s0, s1)) continue;
     if (half < 0.25 * kBorder) continue;
     parts.emplace_back(middle, s1);
     parts.emplace_back(s0, middle);

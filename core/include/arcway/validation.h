@@ -39,8 +39,9 @@ enum class Violation {
   kAcceleration,
   kDuration,
   kNegativeLength,
-  kReverse,   ///< driven backwards, against the options
-  kCuspSpeed  ///< the gear changes while the vehicle moves
+  kReverse,    ///< driven backwards, against the options
+  kCuspSpeed,  ///< the gear changes while the vehicle moves
+  kDirection   ///< driven against a one-way zone
 };
 /// The violation in words: "collision", "curvature", ...
 ARCWAY_API const char* name_of(Violation violation);
@@ -83,6 +84,7 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 /// | numbers | finite |
 /// | end poses, joints | positions and headings agree within the tolerances; headings are the body's in either gear |
 /// | curvature | at most 1 / rho_min |
+/// | directions | within those of one-way zones, where the reference point is inside |
 /// | collision | the bare body, without margin, touches no obstacle and stays within the bounds all the time |
 /// | speeds | within limits and acceleration limits; the expected ones at both ends; 0 where the gear changes |
 /// | durations | at least the fastest ones for the given joint speeds |
@@ -100,7 +102,8 @@ ARCWAY_API std::string to_string(const ValidationReport& report);
 /// O(n) to sort the map's edges, some 50 ns each; then one or two milliseconds for a path of a hundred segments. Use a
 /// Validator for many paths on one map.
 ///
-/// Where zones limit the speed, it is checked 0.1 mm inside of their borders and farther in.
+/// Where zones limit the speed or the direction of motion, it is checked 0.1 mm inside of their borders and farther in.
+/// Directions have the tolerance of headings beside that of the zone.
 ///
 /// Keep-outs for the vehicle are obstacles. Where the world does not have them as such yet, each call makes the world
 /// that the vehicle meets: see World::for_vehicle.

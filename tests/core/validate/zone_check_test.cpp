@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/boxes.h"
 
@@ -36,6 +37,30 @@ TEST(ZoneCheck, PassesWhatMissesTheZoneOrRunsAlongItsBorder) {
   EXPECT_TRUE(zone.too_fast({{1, 0, 0}, 2.0, 0.0, Gear::kForward}, steady(5.0, 2.0), 2.0));
   EXPECT_FALSE(zone.too_fast({{1, 0, 0}, 2.0, 0.0, Gear::kReverse}, steady(5.0, 2.0), 2.0));
   EXPECT_TRUE(zone.too_fast({{3, -3, 0}, 9.0, 1.0 / 1.5}, steady(5.0, 9.0), 2.0));
+}
+
+TEST(ZoneCheck, FindsWhereAMotionIsAgainstADirection) {
+  const ZoneCheck zone(box(2, -1, 4, 1));
+  const PathSegment line{{0, 0, 0}, 10.0, 0.0};
+  EXPECT_FALSE(zone.against(line, 0.3, 0.3 + 1e-9));
+  const auto place = zone.against(line, 0.3, 0.29);
+  ASSERT_TRUE(place);
+  EXPECT_GT(*place, 2.0);
+  EXPECT_LT(*place, 4.0);
+  EXPECT_TRUE(zone.against(line, std::numbers::pi, 1.0));
+  EXPECT_FALSE(zone.against({{10, 0, 0}, 10.0, 0.0, Gear::kReverse}, std::numbers::pi - 4.0 * std::numbers::pi, 1.0));
+  EXPECT_TRUE(zone.against({{10, 0, 0}, 10.0, 0.0, Gear::kReverse}, 0.0, 1.0));
+  EXPECT_FALSE(zone.against({{3, 0, 0}, 0.0, 0.0}, std::numbers::pi, 1.0));
+  // Along the border, at once, and a little inside of it.
+  EXPECT_FALSE(zone.against({{0, 1.0 - 0.5 * ZoneCheck::kBorder, 0}, 10.0, 0.0}, std::numbers::pi, 1.0));
+  EXPECT_TRUE(zone.against({{0, 1.0 - 2.0 * ZoneCheck::kBorder, 0}, 10.0, 0.0}, std::numbers::pi, 1.0));
+  EXPECT_FALSE(zone.against({{-1e6, 1.0, 0}, 2e6, 0.0}, std::numbers::pi, 1.0));
+  // A turn by pi that begins below the zone, is upright at x = 3.5 and leads back: allowed up to 0.1 beyond upright.
+  const PathSegment arc{{2, -1.5, 0}, 1.5 * std::numbers::pi, 1.0 / 1.5};
+  EXPECT_FALSE(zone.against(arc, 0.5 * std::numbers::pi, 0.5 * std::numbers::pi + 0.01));
+  const auto turned = zone.against(arc, 0.0, 0.5 * std::numbers::pi + 0.1);
+  ASSERT_TRUE(turned);
+  EXPECT_GT(arc.at(*turned).heading, 0.5 * std::numbers::pi + 0.1);
 }
 
 TEST(ZoneCheck, TheTopSpeedFollowsFromTheDuration) {
