@@ -20,7 +20,8 @@ Roadmap::Roadmap(const World& w, const Vehicle& v, QuerySet q, CircleRadii r, st
       outlines(std::move(o)),
       places(std::make_shared<const CirclePlaces>(graph->turn_circles(), outlines)),
       gaps(std::make_shared<const VehicleGaps>(w, v, radii.front())),
-      speed_zones(SpeedZones::of(w)) {}
+      speed_zones(SpeedZones::of(w)),
+      one_way_zones(OneWayZones::of(w)) {}
 
 Roadmap Roadmap::with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii) const {
   Roadmap map = *this;

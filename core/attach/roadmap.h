@@ -9,6 +9,7 @@
 #include "core/model/outlines.h"
 #include "core/roadmap/circle_radii.h"
 #include "core/roadmap/feasible_graph.h"
+#include "core/zones/one_way_zones.h"
 #include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
@@ -19,6 +20,7 @@ class CirclePlaces;
 /// The roadmap: the world, the vehicle, their queries and the feasible graph. All searches on one map share it.
 /// Immutable.
 struct Roadmap {
+  /// @param queries  see the member.
   /// @param radii  of the graph.
   /// @param outlines  of the world.
   Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, CircleRadii radii,
@@ -29,7 +31,7 @@ struct Roadmap {
 
   World world;
   Vehicle vehicle;
-  QuerySet queries;
+  QuerySet queries;  ///< motions against one-way zones are not free; obstacles alone are not asked for
   CircleRadii radii;
   std::shared_ptr<const FeasibleGraph> graph;
   std::shared_ptr<const CircleTable> circles;  ///< of the graph
@@ -37,7 +39,8 @@ struct Roadmap {
   std::shared_ptr<const Outlines> outlines;
   std::shared_ptr<const CirclePlaces> places;  ///< of the graph
   std::shared_ptr<const VehicleGaps> gaps;
-  std::shared_ptr<const SpeedZones> speed_zones;  ///< of the world; null: no zone limits the speed
+  std::shared_ptr<const SpeedZones> speed_zones;     ///< of the world; null: no zone limits the speed
+  std::shared_ptr<const OneWayZones> one_way_zones;  ///< of the world; null: no zone forbids a direction
 };
 
 }  // namespace arcway::internal

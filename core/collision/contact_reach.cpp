@@ -160,11 +160,12 @@ double distance_ahead(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-ContactReach::ContactReach(const Outlines& outlines, const Body& body)
-    : outlines_(&outlines), body_(body), around_(body.farthest()) {}
+ContactReach::ContactReach(const Outlines& outlines, const Body& body, const OneWayZones* zones, Gear forwards)
+    : outlines_(&outlines), body_(body), zones_(zones), forwards_(forwards), around_(body.farthest()) {}
 
 void ContactReach::begin(const Pose& pose, double most) {
   most_ = most;
+  pose_ = pose;
   edges_.clear();
   const double far = most + around_;
   const Vec2 place = pose.position(), ahead = direction_of(pose.heading);
@@ -196,6 +197,13 @@ double ContactReach::distance_to_body(const LineSegment& edge) const {
 }
 
 double ContactReach::operator()(double curvature, Gear gear) const {
+  const double free = until_contact(curvature, gear);
+  if (zones_ == nullptr) return free;
+  const Gear driven = gear == forwards_ ? Gear::kForward : Gear::kReverse;
+  return zones_->allowed_length({pose_, free, curvature, gear}, driven);
+}
+
+double ContactReach::until_contact(double curvature, Gear gear) const {
   if (curvature == 0.0) return along_line(gear);
   const double radius = 1.0 / std::abs(curvature);
   const Vec2 center(0.0, 1.0 / curvature);

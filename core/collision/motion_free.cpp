@@ -5,19 +5,20 @@
 
 namespace arcway::internal {
 
-bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& arc, HeadingSet& headings) {
+bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& turn, HeadingSet& headings) {
+  const PathSegment arc = turn.forwards();
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
   const double radius = 1.0 / std::abs(arc.curvature);
   const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
-  return sweep.arc_free({center, radius, side, body}, arc.start.heading, arc.length / radius, headings);
+  return sweep.arc_free({center, radius, side, body, turn.gear}, arc.start.heading, arc.length / radius, headings);
 }
 
 bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion) {
   for (const PathSegment& s : motion)
-    if (s.is_line() && !sweep.straight_free({s.forwards().start, s.length, body})) return false;
+    if (s.is_line() && !sweep.straight_free({s.forwards().start, s.length, body, s.gear})) return false;
   HeadingSet headings;
   return std::ranges::all_of(motion, [&](const PathSegment& segment) {
-    return segment.is_line() || turn_free(sweep, body, segment.forwards(), headings);
+    return segment.is_line() || turn_free(sweep, body, segment, headings);
   });
 }
 

@@ -14,8 +14,8 @@ namespace arcway::internal {
 /// cost less.
 bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion);
 
-/// Whether the body touches nothing along one arc driven forwards.
+/// Whether the body touches nothing along one arc, in whichever gear.
 /// @param headings  memory that is used again.
-bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& arc, HeadingSet& headings);
+bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& turn, HeadingSet& headings);
 
 }  // namespace arcway::internal

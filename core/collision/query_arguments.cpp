@@ -118,6 +118,14 @@ bool SweepQuery::straight_free(const SweptRectangle& rectangle) const {
 
 void SweepQuery::straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const {
   require_equal_sizes(bodies.size(), free.size());
+  do_straights_free(bodies, free);
+}
+
+void SweepQuery::do_straights_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const {
+  if (bodies.size() == 1 && bodies[0].body.shape == nullptr) {  // without memory of its own
+    const SweptRectangle rectangle = swept_rectangle(bodies[0].from, bodies[0].length, bodies[0].body);
+    return straight_free({&rectangle, 1}, free);
+  }
   const auto has_shape = [](const StraightBody& b) { return b.body.shape != nullptr; };
   if (std::ranges::none_of(bodies, has_shape)) {
     std::vector<SweptRectangle> rectangles;
@@ -135,9 +143,8 @@ void SweepQuery::straight_free(std::span<const StraightBody> bodies, std::span<s
 }
 
 bool SweepQuery::straight_free(const StraightBody& body) const {
-  if (body.body.shape == nullptr) return straight_free(swept_rectangle(body.from, body.length, body.body));
   std::uint8_t answer = 0;
-  straight_free({&body, 1}, {&answer, 1});
+  do_straights_free({&body, 1}, {&answer, 1});
   return answer != 0;
 }
 

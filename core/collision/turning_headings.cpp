@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "core/collision/turning_piece.h"
@@ -94,6 +97,18 @@ void append_blocked_by_shape(const TurningBody& body, const LineSegment& about, 
 }
 
 }  // namespace
+
+void remove_headings(std::vector<HeadingInterval>& blocked, HeadingSet& free) {
+  if (blocked.empty()) return;
+  const std::span<const HeadingInterval> intervals = free.intervals();
+  if (!free.is_full()) {
+    for (std::size_t k = 0; k < intervals.size(); ++k) {
+      const bool last = k + 1 == intervals.size();
+      blocked.push_back({intervals[k].high, last ? intervals[0].low + kTwoPi : intervals[k + 1].low});
+    }
+  }
+  HeadingSet::complement(blocked, free);
+}
 
 double reach_of(const TurningBody& body) {
   return swept_annulus(body.body, body.side, body.radius).outer * (1.0 + kCriticalSlack);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "arcway/heading_set.h"
 #include "arcway/sweep_query.h"
 #include "arcway/vec2.h"
 
@@ -17,6 +18,10 @@ void append_blocked_headings(const TurningBody& body, const LineSegment& edge, s
 /// Whether an edge is near enough to the body's annulus for append_blocked_headings to be worth a call. Never false for
 /// an edge that the body touches at some heading.
 bool may_touch(const TurningBody& body, const LineSegment& edge);
+
+/// Takes closed intervals of headings out of a set. A set that none are taken out of keeps its bits.
+/// @param blocked  in any order; unspecified afterwards, keeps its memory.
+void remove_headings(std::vector<HeadingInterval>& blocked, HeadingSet& free);
 
 /// The distance from a turning body's center within which all edges lie that it can touch [m].
 double reach_of(const TurningBody& body);

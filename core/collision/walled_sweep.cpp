@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "arcway/angle.h"
 #include "core/collision/swept_shape.h"
 #include "core/collision/turning_headings.h"
 #include "core/geometry/predicates.h"
@@ -34,15 +33,7 @@ void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
     blocked.clear();
     for (const LineSegment& wall : walls_)
       if (may_touch(bodies[i], wall)) append_blocked_headings(bodies[i], wall, blocked);
-    if (blocked.empty()) continue;
-    const std::span<const HeadingInterval> free = result[i].intervals();
-    if (!result[i].is_full()) {
-      for (std::size_t k = 0; k < free.size(); ++k) {
-        const bool last = k + 1 == free.size();
-        blocked.push_back({free[k].high, last ? free[0].low + kTwoPi : free[k + 1].low});
-      }
-    }
-    HeadingSet::complement(blocked, result[i]);
+    remove_headings(blocked, result[i]);
   }
 }
 

@@ -1,15 +1,25 @@
 #include "core/planner/no_path.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
+#include "arcway/zone.h"
 #include "core/gaps/bottleneck_finder.h"
+#include "core/geometry/distance.h"
 #include "core/model/pose_text.h"
 #include "core/planner/collision.h"
 
 namespace arcway::internal {
 
 namespace {
+
+constexpr std::size_t kZonesNamed = 4;  // largest number of zones that a reason names
 
 // The region around the pose, else the one nearest to it.
 std::string nearest_region(const Roadmap& map, const Pose& pose) {
@@ -29,6 +39,22 @@ void explain_dead_end(const Roadmap& map, const DeadEnd& dead_end, PlanResult& r
       (dead_end.at_start ? "from it collides less than " : "to it begins less than ") + rounded_text(dead_end.reach) +
       " m away; nearest is " + nearest_region(map, dead_end.at_start ? result.start : result.goal);
   result.bottleneck.reset();
+}
+
+// The zones that motions obeyed, those nearest to start or goal first; empty without any.
+std::string obeyed_text(const Roadmap& map, const PlanResult& result) {
+  if (map.one_way_zones == nullptr) return "";
+  std::vector<std::pair<double, std::uint32_t>> zones;
+  for (const std::uint32_t zone : map.one_way_zones->zones()) {
+    const Polygon& area = map.world.zones()[zone].area;
+    zones.emplace_back(std::min(distance(result.start.position(), area), distance(result.goal.position(), area)), zone);
+  }
+  std::ranges::sort(zones);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(zones.size(), kZonesNamed); ++i)
+    text += (i > 0 ? ", " : "") + zone_text(map.world.zones()[zones[i].second], zones[i].second);
+  if (zones.size() > kZonesNamed) text += " and " + std::to_string(zones.size() - kZonesNamed) + " more";
+  return "; motions obeyed the driving directions of " + text;
 }
 
 void explain_enclosure(const Roadmap& map, const Enclosure& enclosure, PlanResult& result) {
@@ -94,7 +120,7 @@ std::string speed_text(const Roadmap& map, const PlanResult& result, bool start)
   // From the start on, or backwards from the goal.
   const Gear gear = ahead == start ? Gear::kForward : Gear::kReverse;
   const PathSegment line = PathSegment{start ? result.start : result.goal, length_to(turns), 0.0, gear}.forwards();
-  const bool is_free = map.queries.sweep->straight_free({line.start, line.length, map.body});
+  const bool is_free = map.queries.sweep->straight_free({line.start, line.length, map.body, gear});
   return std::string(start ? "; braking from the start speed of " : "; gaining the goal speed of ") +
          rounded_text(std::abs(speed)) + " m/s takes " + rounded_text(length_to(0.0)) +
          (start ? " m to a stop, " : " m from rest, ") + rounded_text(length_to(turns)) +
@@ -134,6 +160,28 @@ bool end_speed_obeys_zones(const Roadmap& map, const Pose& pose, bool start, Pla
   return false;
 }
 
+bool end_heading_obeys_zones(const Roadmap& map, const PlanRequest& request, bool start, PlanResult& result) {
+  if (map.one_way_zones == nullptr || request.start == request.goal) return true;
+  const Pose& pose = start ? request.start : request.goal;
+  const double speed = start ? request.start_speed : request.goal_speed;
+  std::uint32_t against = kNone;
+  for (const Gear gear : {Gear::kReverse, Gear::kForward}) {
+    const bool is_possible = gear == Gear::kForward ? speed >= 0.0 : request.reverse && speed <= 0.0;
+    if (!is_possible) continue;
+    against = map.one_way_zones->zone_against(pose, gear);
+    if (against == kNone) return true;
+  }
+  const Zone& zone = map.world.zones()[against];
+  const auto& rule = std::get<OneWay>(zone.rule);
+  result.status = start ? PlanStatus::kStartBlocked : PlanStatus::kGoalBlocked;
+  result.certainty = Certainty::kProved;
+  result.reason = (start ? start_text(result) : goal_text(result)) + " is inside " + zone_text(zone, against) +
+                  ", where directions of motion are within " + rounded_text(rule.tolerance) + " rad of " +
+                  rounded_text(rule.heading) + " rad: " + (start ? "no motion from" : "no motion to") + " it, " +
+                  (request.reverse ? "in either gear" : "driven forwards") + ", has such a direction";
+  return false;
+}
+
 std::string time_limit_reason(const PlanLimits& limits) {
   return "no path was found within the time limit of " + shortest_text(limits.time) + " s";
 }
@@ -162,6 +210,7 @@ void explain(const Roadmap& map, const NoPath& why, const PlanLimits& limits, Pl
     explain_failure(map, why, result);
   }
   result.reason += tried_text(why, result);
+  if (result.certainty == Certainty::kGaveUp) result.reason += obeyed_text(map, result);
   for (const bool start : {true, false}) result.reason += speed_text(map, result, start);
   if (result.bottleneck)
     result.reason += "; " + result.bottleneck->text(map.world) + ", the body takes " +

@@ -29,6 +29,10 @@ bool pose_is_free(const Roadmap& map, const Pose& pose, bool start, PlanResult& 
 /// Whether the speed at an end is within the limits of the zones there. If not, the result says which one is exceeded.
 bool end_speed_obeys_zones(const Roadmap& map, const Pose& pose, bool start, PlanResult& result);
 
+/// Whether zones allow to leave the start, or to reach the goal, in a gear that the request allows. If not, the result
+/// names the zone. Where start and goal are one pose, no motion is needed.
+bool end_heading_obeys_zones(const Roadmap& map, const PlanRequest& request, bool start, PlanResult& result);
+
 /// The reason for a plan without a path where the time was up.
 /// @param limits  as the caller gave them.
 std::string time_limit_reason(const PlanLimits& limits);

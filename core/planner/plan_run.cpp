@@ -133,7 +133,8 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .at_length = mode == RefineMode::kAtLength,
                           .ends = query_.ends(),
                           .lower_bound = result_.lower_bound,
-                          .speed_zones = map_.speed_zones.get()};
+                          .speed_zones = map_.speed_zones.get(),
+                          .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};
   if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {

@@ -297,7 +297,8 @@ ReversingSearch& PlanRun::reversing_search() {
   if (!reversing_) {
     const double unrefined = found_ ? result_.statistics.unrefined_travel_time : best_cost_;
     reversing_.emplace(
-        map_, ReversingQuery{query_.request.start, query_.request.goal, distance_, unrefined, gear_changes_.most},
+        map_, query_.maps.in(Gear::kReverse),
+        ReversingQuery{query_.request.start, query_.request.goal, distance_, unrefined, gear_changes_.most},
         search_options_, workspace_.find.search);
   }
   return *reversing_;

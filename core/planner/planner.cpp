@@ -19,6 +19,7 @@
 #include "core/base/stopwatch.h"
 #include "core/base/workspace_pool.h"
 #include "core/collision/motion_free.h"
+#include "core/collision/one_way_sweep.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
@@ -35,6 +36,7 @@
 #include "core/roadmap/finished_feasible_graph.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 #include "core/roadmap/restore_feasible_graph.h"
+#include "core/zones/one_way_zones.h"
 #include "core/zones/speed_zones.h"
 
 namespace arcway {
@@ -47,6 +49,13 @@ std::shared_ptr<const FeasibleGraph> make_feasible_graph(const FeasibleGraphInpu
                                                          const Executor& executor, const ProcessGroup& process_group) {
   if (mode == GraphMode::kLazy) return std::make_shared<const LazyFeasibleGraph>(inputs, executor);
   return build_feasible_graph(inputs, executor, process_group);
+}
+
+// The queries of motions: about obstacles, and about the directions that zones forbid.
+QuerySet motion_queries(const World& world, const Backend& backend) {
+  QuerySet queries = backend.queries();
+  queries.sweep = obeying(queries.sweep, OneWayZones::of(world));
+  return queries;
 }
 
 // Checks the feasible graph anew.
@@ -141,8 +150,9 @@ struct Planner::Data {
         visibility_graph(std::move(reduced.whole)),
         rows(std::move(reduced.rows)),
         maps(make_map(
-                 world, vehicle, b.queries(), options, [&] { return make_feasible(rows, options); }, executor),
-             options, rows, executor, maps_before),
+                 world, vehicle, motion_queries(world, b), options, [&] { return make_feasible(rows, options); },
+                 executor),
+             b.queries().sweep, options, rows, executor, maps_before),
         scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
     prepare_statistics.visibility_seconds = reduced.seconds;
     prepare_statistics.feasible_seconds = watch.seconds();
@@ -224,9 +234,9 @@ Planner::Planner(const World& given_world, const Vehicle& vehicle, const Backend
   const Backend backend = backend_for(given_world, world, given);
   AllOptions checked(world, vehicle, with_mode(options, backend));
   ReducedGraph reduced = reduced_graph_of(backend, *checked.given.graph_mode);
-  data_ = std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
-                                       feasible_maker(world, vehicle, backend.queries(), backend.executor()),
-                                       backend.executor());
+  data_ = std::make_shared<const Data>(
+      world, vehicle, backend, std::move(checked), std::move(reduced),
+      feasible_maker(world, vehicle, motion_queries(world, backend), backend.executor()), backend.executor());
 }
 
 Planner Planner::restored(const World& given_world, const Vehicle& vehicle, const Backend& given, PreparedGraph graphs,
@@ -237,7 +247,7 @@ Planner Planner::restored(const World& given_world, const Vehicle& vehicle, cons
   taken.radii = graphs.radii;
   taken.graph_mode = GraphMode::kEager;
   AllOptions checked(world, vehicle, std::move(taken));
-  const QuerySet& queries = backend.queries();
+  const QuerySet queries = motion_queries(world, backend);
   ReducedGraph reduced;
   reduced.rows = rows_of(world, graphs.reduced_graph);
   reduced.whole = std::make_shared<const VisibilityGraph>(std::move(graphs.reduced_graph));
@@ -254,6 +264,7 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
                          const PlannerOptions& options) {
   const World& world = backend.world();
   require_change(change, before.world(), world);
+  require_same_one_way(before.world(), world);
   PlannerOptions alone = options;
   alone.process_group = nullptr;
   if (!alone.graph_mode) alone.graph_mode = before.options().graph_mode;
@@ -274,7 +285,7 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
     reduced.whole = backend.changed_graph(before.visibility_graph(), change);
     reduced.rows = rows_of(world, *reduced.whole);
   }
-  const QuerySet& queries = backend.queries();
+  const QuerySet queries = motion_queries(world, backend);
   const auto make_feasible = [&](const auto& rows, const PlannerOptions& o) -> std::shared_ptr<const FeasibleGraph> {
     const FeasibleGraphInputs inputs{world, vehicle, rows, queries, {vehicle, o.radii}};
     if (o.radii != before.options().radii) return make_feasible_graph(inputs, *o.graph_mode, executor, kSingleProcess);
@@ -327,7 +338,8 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   result.lower_bound = travel_time_lower_bound(request.start, request.goal, distance, d.map().vehicle, request.reverse,
                                                {request.start_speed, request.goal_speed}, d.map().speed_zones.get());
   const auto is_possible = [&](const Pose& pose, bool start) {
-    return pose_is_free(d.map(), pose, start, result) && end_speed_obeys_zones(d.map(), pose, start, result);
+    return pose_is_free(d.map(), pose, start, result) && end_speed_obeys_zones(d.map(), pose, start, result) &&
+           end_heading_obeys_zones(d.map(), request, start, result);
   };
   if (is_possible(request.start, true) && is_possible(request.goal, false)) {
     WorkspacePool<PlanWorkspace>::Lease workspace(d.workspaces);
@@ -380,7 +392,7 @@ std::optional<Pose> Planner::nearest_free(const Pose& pose) const {
 
 const World& Planner::world() const { return data_->map().world; }
 const Vehicle& Planner::vehicle() const { return data_->map().vehicle; }
-const QuerySet& Planner::queries() const { return data_->map().queries; }
+const QuerySet& Planner::queries() const { return data_->backend.queries(); }
 const PlannerOptions& Planner::options() const { return data_->options; }
 const VisibilityGraph& Planner::visibility_graph() const { return *data_->visibility_graph; }
 std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }

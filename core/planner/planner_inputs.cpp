@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/turning_radii.h"
+#include "arcway/zone.h"
 #include "core/model/pose_text.h"
 #include "core/planner/strategy.h"
 #include "core/refine/moves.h"
@@ -171,6 +173,25 @@ Backend backend_for(const World& world, const World& closed, const Backend& give
   for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
     if (closed.obstacle_with(world.key_of(o)) == kNone) removed.push_back(o);
   return given.changed(closed, WorldChange(world, closed, removed));
+}
+
+void require_same_one_way(const World& before, const World& after) {
+  const auto zones_of = [](const World& world) {
+    std::vector<const Zone*> zones;
+    for (const Zone& zone : world.zones())
+      if (std::holds_alternative<OneWay>(zone.rule)) zones.push_back(&zone);
+    return zones;
+  };
+  const std::vector<const Zone*> old = zones_of(before), now = zones_of(after);
+  const std::string advice = "; make a planner anew for other one-way zones";
+  if (old.size() != now.size())
+    throw std::invalid_argument("the worlds have " + std::to_string(old.size()) + " and " + std::to_string(now.size()) +
+                                " one-way zones, a change keeps them" + advice);
+  for (std::size_t i = 0; i < old.size(); ++i)
+    if (old[i]->rule != now[i]->rule || old[i]->area.outer != now[i]->area.outer ||
+        old[i]->area.holes != now[i]->area.holes)
+      throw std::invalid_argument("one-way zone " + std::to_string(i) + " of the one-way zones differs between the " +
+                                  "worlds, a change keeps them" + advice);
 }
 
 void require_change(const WorldChange& change, const World& before, const World& after) {

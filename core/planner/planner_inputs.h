@@ -27,6 +27,11 @@ Backend backend_for(const World& world, const World& closed, const Backend& give
 /// @throws std::invalid_argument
 void require_change(const WorldChange& change, const World& before, const World& after);
 
+/// Checks that two worlds have the same one-way zones, in the same order: lines and headings that were found free stay
+/// so after a change only then.
+/// @throws std::invalid_argument naming the number of each, or the first that differs.
+void require_same_one_way(const World& before, const World& after);
+
 /// The ids of the obstacles with some keys, ascending.
 /// @throws std::invalid_argument naming the first key that is of none, or that is there twice.
 std::vector<ObstacleId> obstacles_with(const World& world, std::span<const ObstacleKey> keys);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/collision/one_way_sweep.h"
 #include "core/planner/strategy.h"
 
 namespace arcway::internal {
@@ -17,17 +18,25 @@ std::vector<OtherRoute> routes_of_strategy() {
   return routes;
 }
 
-PlannerMaps::PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
-                         const Executor& executor, const MapsBefore* before)
+// Many parameters because maps come from these parts, one of them from another planner.
+PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& obstacles, const PlannerOptions& options,
+                         const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor,
+                         const MapsBefore* before)
     : all(std::move(map), options.gap_circles),
       slim(all.plain, rows),
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
   end_if_over(executor);
   const Roadmap& plain = all.plain;
+  const LazyGraphs graphs(rows, executor, before ? &before->change : nullptr);
+  if (plain.one_way_zones) {
+    Roadmap reverse = plain;
+    reverse.queries.sweep = obeying(obstacles, plain.one_way_zones, Gear::kReverse);
+    auto lazy = graphs(reverse, plain.radii, before && before->maps.backwards ? &*before->maps.backwards : nullptr);
+    backwards.emplace(reverse.with_graph(std::move(lazy), plain.radii));
+  }
   const std::size_t tightest_count = plain.radii.tightest(plain.vehicle.footprint(plain.vehicle.safety_margin()));
   if (tightest_count < plain.radii.size()) {
     const CircleRadii smallest = plain.radii.first(tightest_count);
-    const LazyGraphs graphs(rows, executor, before ? &before->change : nullptr);
     auto lazy = graphs(plain, smallest, before && before->maps.tightest ? &before->maps.tightest->plain : nullptr);
     tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
     other = OtherMaps(plain, tightest->plain, routes_of_strategy(), graphs, before ? &before->maps.other : nullptr);

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "arcway/executor.h"
+#include "arcway/path.h"
 #include "arcway/planner.h"
+#include "arcway/sweep_query.h"
 #include "arcway/visibility_rows.h"
 #include "core/gaps/bottleneck_finder.h"
 #include "core/planner/plan_maps.h"
@@ -29,14 +31,23 @@ struct MapsBefore {
 /// All that the queries of one planner share. Immutable but for what is made when first asked for; thread-safe.
 struct PlannerMaps {
   /// @param map       of all radii.
+  /// @param obstacles  the sweep query that knows no zones, used during the call only.
   /// @param rows      of the reduced graph.
   /// @param executor  used during the call only; may end it, see end_if_over.
   /// @param before    of the world before a change; null if all is made anew.
-  PlannerMaps(Roadmap map, const PlannerOptions& options, const std::shared_ptr<const VisibilityRows>& rows,
-              const Executor& executor, const MapsBefore* before = nullptr);
+  PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& obstacles, const PlannerOptions& options,
+              const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor,
+              const MapsBefore* before = nullptr);
   PlannerMaps(const PlannerMaps&) = delete;  // members refer to `all`
 
+  /// The roadmap of all radii for paths that are driven in a gear all the way, described as if driven forwards. Both
+  /// gears have the same one where no zone forbids a direction.
+  [[nodiscard]] const Roadmap& in(Gear gear) const {
+    return gear == Gear::kReverse && backwards ? *backwards : all.plain;
+  }
+
   PlanMaps all;
+  std::optional<Roadmap> backwards;  ///< see `in`
   SlimMaps slim;
   std::optional<PlanMaps> tightest;  ///< of the tightest radii only, where there are wider ones
   OtherMaps other;                   ///< of several radii, where there are wider ones

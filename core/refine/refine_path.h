@@ -46,6 +46,8 @@ struct RefineQuery {
   EndSpeeds ends = {};       ///< of the path, which stay as they are
   double lower_bound = 0.0;  ///< on the time of all paths between the poses, as far as it is known [s]
   const SpeedZones* speed_zones = nullptr;  ///< of the world; null: none
+  /// As `sweep`, where motions that are described as driven forwards are driven backwards; null: gears do not differ.
+  const SweepQuery* sweep_backwards = nullptr;
 };
 
 /// Makes a free path faster by local changes, as long as time falls:

@@ -29,6 +29,7 @@ class GearSearch {
       : vehicle_(query.vehicle),
         sweep_(query.sweep),
         outlines_(query.outlines),
+        one_way_zones_(query.one_way_zones),
         options_(options),
         result_(result),
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
@@ -68,7 +69,8 @@ class GearSearch {
     return {roots_[at],
             at == kStartEnd ? vehicle_ : vehicle_.with_gears_swapped(),
             outlines_,
-            {cells_[at], cells_[at] == kCells, options_.cusp_cost, options_.max_cusps},
+            {cells_[at], cells_[at] == kCells, options_.cusp_cost, options_.max_cusps, one_way_zones_,
+             at == kStartEnd ? Gear::kForward : Gear::kReverse},
             [this, to = roots_[other_end(at)]](const Pose& from) { return far(from, to); }};
   }
 
@@ -127,6 +129,7 @@ class GearSearch {
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
   const Outlines& outlines_;
+  const OneWayZones* one_way_zones_;
   const GearSearchOptions& options_;
   GearSearchResult& result_;
   Body body_;

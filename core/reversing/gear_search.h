@@ -10,6 +10,7 @@
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
 #include "core/model/outlines.h"
+#include "core/zones/one_way_zones.h"
 #include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
@@ -18,8 +19,9 @@ namespace arcway::internal {
 struct GearQuery {
   Pose start, goal;
   const Vehicle& vehicle;
-  const SweepQuery& sweep;   ///< of the world
-  const Outlines& outlines;  ///< of the world
+  const SweepQuery& sweep;                     ///< of the world
+  const Outlines& outlines;                    ///< of the world
+  const OneWayZones* one_way_zones = nullptr;  ///< that `sweep` obeys; null: none
 };
 
 struct GearSearchOptions {

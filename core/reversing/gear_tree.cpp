@@ -31,7 +31,7 @@ GearTree::GearTree(const Pose& root, const Vehicle& vehicle, const Outlines& out
       remaining_(std::move(remaining)),
       radii_(vehicle),
       radius_(radii_.smaller()),
-      contact_(outlines, vehicle.body(0.5 * vehicle.safety_margin())) {
+      contact_(outlines, vehicle.body(0.5 * vehicle.safety_margin()), options.one_way_zones, options.forwards) {
   speeds_.reset(vehicle.max_acceleration());
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0, 0.0});
   open_.push({remaining_(root), kRoot});

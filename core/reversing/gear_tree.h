@@ -27,6 +27,8 @@ struct GearTreeOptions {
   double cusp_cost = 0.0;  ///< cost of a gear change, beside the time for it [s]
   std::size_t max_cusps =
       std::numeric_limits<std::size_t>::max();  ///< largest number of gear changes from the root to a pose
+  const OneWayZones* one_way_zones = nullptr;   ///< null: none; must outlive the tree
+  Gear forwards = Gear::kForward;  ///< in which motions that lead forwards from the root are driven, see ContactReach
 };
 
 /// A tree of poses that free motions in both gears reach from a pose: lines, and arcs of the smallest radius of either

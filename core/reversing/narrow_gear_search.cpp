@@ -78,7 +78,8 @@ class NarrowGearSearch {
     return {{map_,
              at == kStartEnd ? vehicle : vehicle.with_gears_swapped(),
              roots_[at],
-             {options_.cusp_cost + stopping, options_.max_cusps, fineness},
+             {options_.cusp_cost + stopping, options_.max_cusps, fineness,
+              at == kStartEnd ? Gear::kForward : Gear::kReverse},
              remaining},
             NearPoses(kJoinDistance * body_length(vehicle))};
   }

@@ -51,7 +51,7 @@ NarrowGearTree::NarrowGearTree(const Roadmap& map, const Vehicle& vehicle, const
       size_(std::max(radii_.smaller(), body_length(vehicle))),
       far_line_(kFarLine * size_),
       largest_{kLargestCell * size_, kLargestCell * size_, kLargestTurn},
-      contact_(*map.outlines, map.body),
+      contact_(*map.outlines, map.body, map.one_way_zones.get(), options.forwards),
       open_(kVisit * kLargestCell * size_ / vehicle.top_speed()) {
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0, 0.0});
   open_.push(remaining_(root), kRoot);

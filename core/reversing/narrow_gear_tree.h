@@ -20,9 +20,10 @@ namespace arcway::internal {
 
 /// What a gear change costs in a tree, how many there may be, and how finely the tree tells poses apart.
 struct NarrowGearTreeOptions {
-  double gear_change;     ///< cost of a gear change, with the time to stop and set off [s]
-  std::size_t max_cusps;  ///< largest number of gear changes from the root to a pose
-  double fineness;        ///< size of cells, 1 for the largest
+  double gear_change;              ///< cost of a gear change, with the time to stop and set off [s]
+  std::size_t max_cusps;           ///< largest number of gear changes from the root to a pose
+  double fineness;                 ///< size of cells, 1 for the largest
+  Gear forwards = Gear::kForward;  ///< in which motions that lead forwards from the root are driven, see ContactReach
 };
 
 /// A tree of poses that a vehicle reaches from a pose in both gears, by lines and by arcs of several radii. Each motion

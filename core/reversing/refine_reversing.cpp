@@ -35,6 +35,7 @@ class ReversingRefiner {
   ReversingRefiner(const RefineQuery& query, const GearChanges& changes, RefinedPath& result)
       : vehicle_(query.vehicle),
         sweep_(query.sweep),
+        sweep_backwards_(query.sweep_backwards != nullptr ? *query.sweep_backwards : query.sweep),
         changes_(changes),
         options_(query.options),
         clock_(query.clock),
@@ -311,22 +312,23 @@ class ReversingRefiner {
       Path driven = forward ? Path(run.begin(), run.end()) : reversed(run);
       const EndSpeeds ends{first == 0 ? ends_.start : 0.0, last == old.size() ? ends_.goal : 0.0};
       if (!done())
-        driven =
-            forward ? refined(driven, vehicle_, ends) : refined(driven, vehicle_.with_gears_swapped(), ends.reversed());
+        driven = forward ? refined(driven, Gear::kForward, ends) : refined(driven, Gear::kReverse, ends.reversed());
       append(path, forward ? driven : reversed(driven));
       first = last;
     }
     return accept(path);
   }
 
-  Path refined(const Path& run, const Vehicle& vehicle, const EndSpeeds& ends) {
+  // A run that is driven in a gear, described as if it were driven forwards.
+  Path refined(const Path& run, Gear gear, const EndSpeeds& ends) {
+    const Vehicle vehicle = gear == Gear::kForward ? vehicle_ : vehicle_.with_gears_swapped();
     RefineOptions rest = options_;
     rest.max_trials -= static_cast<std::uint32_t>(result_.trials);
     RefinedPath refined = refine_path({.path = run,
                                        .start = run.front().start,
                                        .goal = run.back().end(),
                                        .vehicle = vehicle,
-                                       .sweep = sweep_,
+                                       .sweep = gear == Gear::kForward ? sweep_ : sweep_backwards_,
                                        .options = rest,
                                        .clock = clock_,
                                        .world = world_,
@@ -342,6 +344,7 @@ class ReversingRefiner {
 
   const Vehicle& vehicle_;
   const SweepQuery& sweep_;
+  const SweepQuery& sweep_backwards_;
   GearChanges changes_;
   const RefineOptions& options_;
   const StopClock& clock_;

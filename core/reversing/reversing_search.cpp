@@ -18,6 +18,7 @@ namespace arcway::internal {
 namespace {
 
 // The way between an end and a stop, in the gear of its speed.
+// @param map  for that gear.
 std::optional<Attachment> way_to_stop_of(const Roadmap& map, const Pose& end, Direction direction, double speed) {
   if (speed >= 0.0) return way_to_stop({map, map.vehicle, end, direction, speed});
   // Backwards from a start as forwards to a goal.
@@ -30,9 +31,10 @@ std::optional<Attachment> way_to_stop_of(const Roadmap& map, const Pose& end, Di
 
 }  // namespace
 
-ReversingSearch::ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
-                                 ArrivalSearch& arrivals)
+ReversingSearch::ReversingSearch(const Roadmap& map, const Roadmap& backwards, const ReversingQuery& query,
+                                 const SearchOptions& options, ArrivalSearch& arrivals)
     : map_(map),
+      backwards_(backwards),
       query_(query),
       options_(options),
       ends_(options.ends),
@@ -42,8 +44,11 @@ ReversingSearch::ReversingSearch(const Roadmap& map, const ReversingQuery& query
       cost_(query.cutoff) {
   if (!ends_.is_moving()) return;
   options_.ends = {};
-  const auto from = way_to_stop_of(map, start_, Direction::kFromStart, ends_.start);
-  const auto to = way_to_stop_of(map, goal_, Direction::kToGoal, ends_.goal);
+  const auto map_at = [&](double speed) -> const Roadmap& {
+    return map_in(speed >= 0.0 ? Gear::kForward : Gear::kReverse);
+  };
+  const auto from = way_to_stop_of(map_at(ends_.start), start_, Direction::kFromStart, ends_.start);
+  const auto to = way_to_stop_of(map_at(ends_.goal), goal_, Direction::kToGoal, ends_.goal);
   has_stops_ = from && to && from->pose != to->pose;
   if (!has_stops_) return;
   query_.start = from->pose;
@@ -96,7 +101,7 @@ bool ReversingSearch::join(std::span<const Attachment> starts, std::span<const A
 
 std::optional<Path> ReversingSearch::search(std::span<const Attachment> starts, std::span<const Attachment> goals,
                                             const SearchOptions& options, FoundPath& found) {
-  SearchResult joined = arrivals_.find(map_, starts, goals, options);
+  SearchResult joined = arrivals_.find(map_in(options.gear), starts, goals, options);
   found.search.counts += joined.counts;
   found.search.interrupted = joined.interrupted;
   found.maneuver_poses += starts.size() + goals.size();
@@ -109,7 +114,8 @@ std::vector<Attachment> ReversingSearch::end_alone(Direction direction) const {
   const Pose& end = from_start ? goal_ : start_;
   const EndSpeeds ends = ends_.reversed();
   const Vehicle vehicle = map_.vehicle.with_gears_swapped();
-  std::vector<Attachment> fast = fast_attachments({map_, vehicle, end, direction, from_start ? ends.start : ends.goal});
+  std::vector<Attachment> fast =
+      fast_attachments({backwards_, vehicle, end, direction, from_start ? ends.start : ends.goal});
   if (fast.empty()) fast.push_back({end, {}});
   return fast;
 }
@@ -133,7 +139,12 @@ std::vector<Attachment> ReversingSearch::attachments(Direction direction, const 
   const Vehicle& vehicle = map_.vehicle;
   // Motions of a goal's tree are driven in the opposite sense.
   GearTree tree(end, at_start ? vehicle : vehicle.with_gears_swapped(), *map_.outlines,
-                {wanted.cells, true, options_.cusp_cost}, [](const Pose&) { return 0.0; });
+                {.cells = wanted.cells,
+                 .halves = true,
+                 .cusp_cost = options_.cusp_cost,
+                 .one_way_zones = map_.one_way_zones.get(),
+                 .forwards = at_start ? Gear::kForward : Gear::kReverse},
+                [](const Pose&) { return 0.0; });
   for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
     if (options_.interrupted()) break;
     const auto node = tree.expand();
@@ -145,7 +156,7 @@ std::vector<Attachment> ReversingSearch::attachments(Direction direction, const 
     // The vehicle stops at its end. The rest of the path is shorter by the length of the connection at most.
     const double rest = query_.distance - length_of(connection);
     if (reached.cost + options_.cusp_cost + least_cost(reached.pose, other, rest) >= cost_) continue;
-    if (!motion_free(*map_.queries.sweep, map_.body, connection)) continue;
+    if (!motion_free(*map_in(gear).queries.sweep, map_.body, connection)) continue;
     found.push_back({reached.pose, std::move(connection)});
   }
   return found;
@@ -158,8 +169,9 @@ double ReversingSearch::least_cost(const Pose& from, const Pose& to, double leng
 
 FoundPath ReversingSearch::grow_gear_trees(std::size_t poses) {
   if (!has_stops_) return {};
-  return taken(search_gears({query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines},
-                            gear_options(poses)));
+  return taken(search_gears(
+      {query_.start, query_.goal, map_.vehicle, *map_.queries.sweep, *map_.outlines, map_.one_way_zones.get()},
+      gear_options(poses)));
 }
 
 FoundPath ReversingSearch::grow_narrow_gear_trees(std::size_t poses) {

@@ -36,8 +36,9 @@ struct GearAttachments {
 class ReversingSearch {
  public:
   /// All arguments but the query must outlive this.
-  ReversingSearch(const Roadmap& map, const ReversingQuery& query, const SearchOptions& options,
-                  ArrivalSearch& arrivals);
+  /// @param backwards  the roadmap for paths driven backwards, see PlannerMaps::in.
+  ReversingSearch(const Roadmap& map, const Roadmap& backwards, const ReversingQuery& query,
+                  const SearchOptions& options, ArrivalSearch& arrivals);
 
   /// Searches the roadmap for a path that is driven backwards all the way.
   FoundPath join_backwards();
@@ -74,7 +75,11 @@ class ReversingSearch {
   // Keeps the path if it is the cheapest. Returns whether it changes gear seldom enough.
   bool offer(const Path& path);
 
+  // The roadmap for what is driven in a gear, described as if driven forwards.
+  [[nodiscard]] const Roadmap& map_in(Gear gear) const { return gear == Gear::kForward ? map_ : backwards_; }
+
   const Roadmap& map_;
+  const Roadmap& backwards_;
   ReversingQuery query_;   // between the stops, if an end moves
   SearchOptions options_;  // likewise, from rest to rest
   EndSpeeds ends_;

@@ -23,7 +23,7 @@ ForwardTree::ForwardTree(const Roadmap& map, const Pose& root, Direction directi
       coarsest_(kTree.coarsest * std::max(radii_.smaller(), body_length_)),
       halvings_(pass.halvings),
       levels_(std::max(0, static_cast<int>(std::ceil(std::log2(coarsest_ / (pass.finest * body_length_)))))),
-      contact_(*map.outlines, map.body),
+      contact_(*map.outlines, map.body, map.one_way_zones.get(), gear_),
       open_(kTree.visit * coarsest_) {
   nodes_.push_back({root, {root, 0.0, 0.0}, kRoot, 0.0});
   open_.push(0.0, kRoot);

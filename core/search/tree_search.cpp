@@ -41,7 +41,7 @@ class TreeSearch {
         result_(found.search),
         radii_(map_.vehicle),
         body_length_(map_.body.front + map_.body.rear),
-        contact_(*map_.outlines, map_.body) {}
+        contact_(*map_.outlines, map_.body, map_.one_way_zones.get()) {}
 
   void run() {
     std::span<const TreePass> passes = limits_.passes;

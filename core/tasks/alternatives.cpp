@@ -12,11 +12,13 @@
 #include "arcway/stop_clock.h"
 #include "core/base/infinity.h"
 #include "core/collision/memoized_sweep.h"
+#include "core/collision/one_way_sweep.h"
 #include "core/collision/walled_sweep.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 #include "core/refine/refine_path.h"
 #include "core/tasks/plan_cost.h"
+#include "core/zones/one_way_zones.h"
 
 namespace arcway {
 
@@ -225,13 +227,13 @@ class AlternativeSearch {
   // The cost of a quick plan's path after refinement. A path with gear changes is taken as it is.
   [[nodiscard]] double refined_cost(const Route& route) const {
     if (quick_request_.reverse) return route.cost;
-    const WalledSweep sweep(remembered_, route.walls);
+    const auto sweep = obeying(std::make_shared<const WalledSweep>(remembered_, route.walls), one_way_zones_);
     const Path path = route.plan.path();
     return refine_path({.path = path,
                         .start = request_.start,
                         .goal = request_.goal,
                         .vehicle = planner_.vehicle(),
-                        .sweep = sweep,
+                        .sweep = *sweep,
                         .options = planner_.options().refinement,
                         .clock = clock_,
                         .ends = {request_.start_speed, request_.goal_speed}})
@@ -286,6 +288,7 @@ class AlternativeSearch {
   const PlanLimits& limits_;
   StopClock clock_;
   std::shared_ptr<const SweepQuery> remembered_;  // of the world without walls
+  std::shared_ptr<const OneWayZones> one_way_zones_ = OneWayZones::of(planner_.world());
   PlannerOptions quick_;
   PlanRequest quick_request_ = request_;
   std::vector<Route> taken_, open_;

@@ -8,7 +8,6 @@
 
 #include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
-#include "core/collision/motion_free.h"
 #include "core/planner/no_path.h"
 #include "core/tasks/measure_clearance.h"
 #include "core/tasks/plan_cost.h"
@@ -101,10 +100,7 @@ class CurvedPlanner {
 
 // Whether a plan is free among the last rings. Finer rings lie inside coarser ones, up to the distance that both are
 // moved by (see circumscribed_ring). A plan stays free unless it was free by less than that.
-bool is_free(const Planner& planner, const PlanResult& plan) {
-  const Vehicle& vehicle = planner.vehicle();
-  return motion_free(*planner.queries().sweep, vehicle.body(0.5 * vehicle.safety_margin()), plan.path());
-}
+bool is_free(const Planner& planner, const PlanResult& plan) { return planner.is_free(plan.path()); }
 
 // Replaces a plan made on coarser rings by the planner's new one, unless that costs more.
 void keep_cheaper(const Planner& planner, double cusp_cost, PlanResult&& found, PlanResult& plan) {

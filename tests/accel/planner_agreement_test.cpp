@@ -3,6 +3,7 @@
 
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "accel/backend/make_queries.h"
@@ -10,6 +11,7 @@
 #include "arcway/accel/parallel.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/planner.h"
+#include "arcway/zone.h"
 #include "core/roadmap/finished_feasible_graph.h"
 
 namespace arcway::internal {
@@ -86,6 +88,25 @@ TEST(PlannerAgreement, BackendsAndThreadCountsGiveTheSameBits) {
           << threads;
     }
   }
+}
+
+TEST(PlannerAgreement, OneWayZonesAreObeyedWithTheSameBits) {
+  const std::string name = "clutter/rectangle/n40/f25/s2";
+  const World open = catalog_world(name);
+  const Vec2 low = open.box().min, span = open.box().max - low;
+  std::vector<Zone> zones;
+  for (int i = 0; i < 8; ++i) {
+    const Vec2 middle = low + span.cwiseProduct(Vec2(0.1 + 0.11 * i, 0.1 + 0.1 * (i * 5 % 9)));
+    zones.push_back({Polygon::regular(middle, 0.08 * span.norm(), 6), OneWay{0.8 * i - 3.0, 0.9}});
+  }
+  const World world = open.with_zones(std::move(zones));
+  std::vector<PlanRequest> requests = catalog_queries(name, 6, 1);
+  for (std::size_t i = 4; i < requests.size(); ++i) requests[i].reverse = true;
+  const Planner reference(world, Vehicle{});
+  const std::string expected = plans_of(reference, requests);
+  EXPECT_TRUE(expected != plans_of(Planner(open, Vehicle{}), requests));
+  for (const GraphMode mode : {GraphMode::kEager, GraphMode::kLazy})
+    EXPECT_TRUE(plans_of(Planner(world, Vehicle{}, accel_backend(world), {.graph_mode = mode}), requests) == expected);
 }
 
 TEST(PlannerAgreement, BuildersShareNothingBetweenThreads) {

@@ -25,7 +25,8 @@ enum class PlanStatus {
   kStartOutsideBounds,
   kGoalOutsideBounds,
   /// No motion that was tried leads far from the start. PlanResult::certainty says whether that is proved. If the goal
-  /// is in a dead end too, the reason says so. With `reverse`, this status is given only where it is proved.
+  /// is in a dead end too, the reason says so. With `reverse`, this status is given only where it is proved. It is also
+  /// that of a start within a zone that forbids its speed, or each direction of motion that its heading has.
   kStartBlocked,
   kGoalBlocked,            ///< no motion that was tried leads to the goal from afar; as kStartBlocked otherwise
   kWaypointInCollision,    ///< of a tour: as kStartInCollision, at a waypoint

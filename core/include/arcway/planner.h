@@ -149,8 +149,8 @@ class ARCWAY_API Planner {
   /// @throws Canceled if the executor's clock is over before the graphs are built.
   Planner(const World& world, const Vehicle& vehicle, const Backend& backend, const PlannerOptions& options = {});
 
-  /// A planner with the graphs of another planner for an equal map and vehicle. Nothing is checked again. Radii and
-  /// graph mode are those of the graphs; the options' are ignored.
+  /// A planner with the graphs of another planner for an equal map, zones included, and vehicle. Nothing is checked
+  /// again. Radii and graph mode are those of the graphs; the options' are ignored.
   /// @throws SnapshotError if the graphs are not of this map, as far as ranges and order tell.
   static Planner restored(const World& world, const Vehicle& vehicle, const Backend& backend, PreparedGraph graphs,
                           const PlannerOptions& options = {});
@@ -168,7 +168,8 @@ class ARCWAY_API Planner {
   /// @param change  from the world of `before` to that of the backend.
   /// @param options  of the new planner. Empty members are chosen anew; an empty graph mode is that of `before`. A
   ///   process group is ignored.
-  /// @throws std::invalid_argument as the constructor does, or if the change is not one between the two worlds.
+  /// @throws std::invalid_argument as the constructor does, or if the change is not one between the two worlds, or if
+  ///   their one-way zones differ.
   static Planner changed(const Planner& before, const WorldChange& change, const Backend& backend,
                          const PlannerOptions& options = {});
 
@@ -220,8 +221,9 @@ class ARCWAY_API Planner {
   /// and lies within the bounds. Exact, by one sweep query. Thread-safe.
   /// @throws std::invalid_argument if `plan` refuses the pose's numbers.
   [[nodiscard]] bool is_free(const Pose& pose) const;
-  /// Whether the grown body is free all along a path, in whichever gears. The swept area is decided, no samples;
-  /// speeds, curvatures and joints are not looked at: `validate` does that. One sweep query a segment. Thread-safe.
+  /// Whether the grown body is free all along a path, in whichever gears, and drives against no one-way zone. The swept
+  /// area is decided, no samples; speeds, curvatures and joints are not looked at: `validate` does that. One sweep
+  /// query a segment. Thread-safe.
   /// @throws std::invalid_argument naming the first segment whose length is negative or whose ends `plan` refuses.
   [[nodiscard]] bool is_free(std::span<const PathSegment> path) const;
   /// The pose itself if it is free, else the nearest free one of a pattern, by how far the body's points move:
@@ -240,6 +242,7 @@ class ARCWAY_API Planner {
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;
+  /// The queries of the backend. They are about obstacles, and know no one-way zones.
   [[nodiscard]] const QuerySet& queries() const;
   /// The options, with the radii and the suboptimality used, and without a process group.
   [[nodiscard]] const PlannerOptions& options() const;

@@ -26,19 +26,21 @@ ARCWAY_API Vec2 middle_of(const Footprint& body, const Pose& pose);
 /// A point inside of the body at a pose [m]: the center of a rectangle.
 ARCWAY_API Vec2 inner_point_of(const Body& body, const Pose& pose);
 
-/// A body that drives forwards on a line.
+/// A body that drives on a line, described as if it drove forwards.
 struct StraightBody {
   Pose from;      ///< of the reference point
   double length;  ///< [m], >= 0; 0: the body stands
   Body body;
+  Gear gear = Gear::kForward;  ///< kReverse: driven backwards to `from`, over the same poses. Obstacles do not mind.
 };
 
-/// A body that drives forwards on a circle.
+/// A body that drives on a circle, described as if it drove forwards.
 struct TurningBody {
   Vec2 center;    ///< of the circle [m]
   double radius;  ///< of the reference point's circle [m], > 0
   Side side;      ///< kLeft: counter-clockwise
   Body body;
+  Gear gear = Gear::kForward;  ///< kReverse: driven backwards, over the same poses. Obstacles do not mind.
 };
 
 /// Whether swept regions are free of obstacles. Obstacles are closed sets here: contact is a collision. A region that
@@ -79,6 +81,8 @@ class ARCWAY_API SweepQuery {
   [[nodiscard]] double reach(const TurningBody& body, double heading, Side towards, HeadingSet& headings) const;
 
  private:
+  // Unless an implementation asks for more than free regions: by rectangles where bodies have no shape.
+  virtual void do_straights_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const;
   virtual void do_straight_free(std::span<const SweptRectangle> rectangles, std::span<std::uint8_t> free) const = 0;
   // Bodies that have a shape.
   virtual void do_straight_free(std::span<const StraightBody> bodies, std::span<std::uint8_t> free) const = 0;
