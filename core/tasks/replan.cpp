@@ -9,10 +9,31 @@
 #include <utility>
 #include <vector>
 
+#include "core/motion/speed_profile.h"
+
 namespace arcway {
 
 using namespace internal;
 namespace {
+
+// A segment that lasts no longer is over [s]: its length and speeds are no more than rounding. The vehicle moves by
+// less than a micrometer in that time.
+constexpr double kMoment = 1e-9;
+
+// What is left of a segment that is driven. Its numbers are rounded one by one; speed and time are moved to where the
+// vehicle can drive the length so, which counts shortly before the end.
+TimedSegment rest_of(TimedSegment timed, double driven, double time_left, double speed, const Vehicle& vehicle) {
+  PathSegment& segment = timed.segment;
+  segment.start = segment.at(std::clamp(driven, 0.0, segment.length));
+  segment.length = std::max(0.0, segment.length - driven);
+  const double a = vehicle.max_acceleration(), out = timed.speed_out, change = 2.0 * a * segment.length;
+  timed.speed_in = std::clamp(speed, std::sqrt(std::max(0.0, out * out - change)), std::sqrt(out * out + change));
+  const auto time_at = [&](double top) { return relaxed_segment_time(segment.length, timed.speed_in, top, out, a); };
+  const double top = std::max(timed.speed_in, out);
+  const double slowest = top > 0.0 ? time_at(top) : time_left;
+  timed.duration = std::max(std::min(time_left, slowest), time_at(speed_limit(segment, vehicle)));
+  return timed;
+}
 
 // What is left of a motion from a moment on.
 std::vector<TimedSegment> rest_of(const Trajectory& driven, const TrajectoryState& now) {
@@ -20,20 +41,16 @@ std::vector<TimedSegment> rest_of(const Trajectory& driven, const TrajectoryStat
   const std::span<const TimedSegment> segments = driven.segments();
   double begun = 0.0, before = 0.0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    TimedSegment timed = segments[i];
+    const TimedSegment& timed = segments[i];
     const double ended = begun + timed.duration, driven_here = now.distance - before;
     begun = ended;
     before += timed.segment.length;
     if (i < now.segment) continue;
-    if (i == now.segment) {
-      const double length = timed.segment.length - driven_here;
-      if (!(length > 0.0) && !(ended > now.time)) continue;
-      timed.segment.start = timed.segment.at(std::clamp(driven_here, 0.0, timed.segment.length));
-      timed.segment.length = std::max(0.0, length);
-      timed.speed_in = now.speed;
-      timed.duration = ended - now.time;
+    if (i > now.segment) {
+      rest.push_back(timed);
+    } else if (ended - now.time > kMoment) {
+      rest.push_back(rest_of(timed, driven_here, ended - now.time, now.speed, driven.vehicle()));
     }
-    rest.push_back(timed);
   }
   return rest;
 }

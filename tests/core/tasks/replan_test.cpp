@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -57,6 +58,25 @@ TEST(Replan, IsNeverSlowerThanTheRestWhereThatIsFree) {
     }
   }
   EXPECT_GT(moved, 15);
+}
+
+TEST(Replan, GivesMotionsToDriveUpToTheLastMoment) {
+  const World world(std::vector<Polygon>{Polygon::rectangle({60.0, 60.0}, {61.0, 61.0})});
+  const Planner planner(world, robot(), {.refinement = {.max_trials = 200}});
+  const Trajectory driven = planner.plan(Pose{0.0, 0.0, 0.0}, Pose{14.3, 5.7, 2.0}).trajectory();
+  ASSERT_GT(driven.segments().size(), 2U);
+  double ended = 0.0;
+  for (const TimedSegment& timed : driven.segments()) {
+    ended += timed.duration;
+    for (const double before : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12, 1e-15}) {
+      const TrajectoryState now = driven.at(std::min(ended, driven.duration()) - before);
+      const Replan next = replan(planner, driven, now.time, {.limits = {.time = 0.0}});
+      ASSERT_EQ(next.motion, NextMotion::kKept);
+      if (next.segments.empty()) continue;
+      EXPECT_NO_THROW(Trajectory(next.segments, planner.vehicle())) << before << " s before " << ended << " s";
+      expect_valid(planner, next, now);
+    }
+  }
 }
 
 TEST(Replan, GoesAroundWhatBlocksTheRest) {
