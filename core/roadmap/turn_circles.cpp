@@ -26,8 +26,17 @@ struct TurnCircles::PairRule {
                                   inner_side_radius(grown_body, Side::kRight, radius.right));
     return 2.0 * inner * (1.0 + 1e-9);
   }
-  [[nodiscard]] bool is_within_reach(VertexId u, VertexId w) const {
-    return (world.vertex(w) - world.vertex(u)).norm() <= reach();
+  // Calls visit(u, w), u < w, for all pairs of some vertices that are not further apart.
+  template <class Visitor>
+  void visit_within_reach(std::span<const VertexId> vertices, Visitor&& visit) const {
+    std::vector<VertexId> by_x(vertices.begin(), vertices.end());
+    std::ranges::sort(by_x, {}, [&](VertexId v) { return world.vertex(v).x(); });
+    const double most = reach();
+    for (auto u = by_x.begin(); u != by_x.end(); ++u) {
+      const Vec2& here = world.vertex(*u);
+      for (auto w = u + 1; w != by_x.end() && world.vertex(*w).x() - here.x() <= most; ++w)
+        if ((world.vertex(*w) - here).norm() <= most) visit(std::min(*u, *w), std::max(*u, *w));
+    }
   }
   // Whether a bitangent of their own circles leads backwards.
   [[nodiscard]] bool leads_back(VertexId u, VertexId w) const {
@@ -119,10 +128,9 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
     if (!may_be_other(circle.vertex) || !may_be_other(circle.second)) of_pairs.push_back(circle);
   }
   const PairRule rule{*this, after, radii, grown_body};
-  for (const VertexId u : may_differ)
-    for (const VertexId w : may_differ)
-      if (u < w && rule.is_within_reach(u, w) && rule.leads_back(u, w) && std::ranges::binary_search(rows.of(u), w))
-        rule.append(u, w, of_pairs);
+  rule.visit_within_reach(may_differ, [&](VertexId u, VertexId w) {
+    if (rule.leads_back(u, w) && std::ranges::binary_search(rows.of(u), w)) rule.append(u, w, of_pairs);
+  });
   std::ranges::stable_sort(of_pairs, {}, [](const TurnCircle& c) { return std::pair(c.vertex, c.second); });
   add_pairs(of_pairs);
 }
