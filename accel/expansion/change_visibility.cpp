@@ -10,6 +10,14 @@ namespace arcway::internal {
 
 namespace {
 
+// Number of triangles to see, as a multiple of the half-edges, beyond which all nodes are marked. Of 466
+// changes among 150 obstacles that cover 15 % of the map, 336 see fewer, 259 of them less than a quarter.
+constexpr std::size_t kMostSteps = 4;
+// A triangle is large beside a place if it is so many times as long.
+constexpr double kLarge = 2.0;
+
+double longer_side(const Box& box) { return (box.max - box.min).maxCoeff(); }
+
 // Whether a box lies strictly to the right of the line from a to b.
 bool lies_right_of(const Vec2& a, const Vec2& b, const Box& box) {
   for (const Vec2& corner : box.corners())
@@ -57,11 +65,6 @@ bool TriangleBlocks::hull_contains(const Box& box) const {
 
 void ChangeVisibility::mark_viewers(std::span<const Box> places) {
   const BoxTree tree(places);
-  const auto box_of = [&](std::span<const std::uint32_t> points) {
-    Box box;
-    for (const std::uint32_t point : points) box.extend(triangulation_.points()[point]);
-    return box;
-  };
   const auto meets_any = [&](const Box& box) { return !tree.visit_overlaps(box, [](std::uint32_t) { return false; }); };
   const auto passes_over = [&](std::size_t first, const Box& block) {
     return first % TriangleBlocks::kInBlock == 0 && !meets_any(block);
@@ -93,33 +96,48 @@ ChangeVisibility::Corners ChangeVisibility::corners_of(std::size_t triangle) con
   return {half_edges[1].point, half_edges[2].point, half_edges[0].point};
 }
 
+Box ChangeVisibility::box_of(std::span<const std::uint32_t> points) const {
+  Box box;
+  for (const std::uint32_t point : points) box.extend(triangulation_.points()[point]);
+  return box;
+}
+
+bool ChangeVisibility::is_large(const Corners& corners, const Box& place) const {
+  return longer_side(box_of(corners)) > kLarge * longer_side(place);
+}
+
 // Expands from a place out of a triangle that meets it.
 void ChangeVisibility::expand_out_of(std::size_t triangle, const Corners& corners, const Box& place) {
+  const Box box = box_of(corners);
+  Source source{{}, is_large(corners, place), Box{box.min.cwiseMax(place.min), box.max.cwiseMin(place.max)}.corners()};
+  for (std::size_t i = 0; i < corners.size(); ++i) source.triangle[i] = triangulation_.points()[corners[i]];
   for (const std::uint32_t corner : corners) mark(triangulation_.first_node_at(corner));
   for (std::uint32_t j = 0; j < 3; ++j) {
     const std::uint32_t half_edge = triangulation_.half_edges()[3 * triangle + (j + 1) % 3].left;
-    // Lines of sight into a triangle that meets the place are found from that triangle.
-    if (half_edge != kNone && !meets(corners_of(half_edge / 3), place)) expand(corners, {half_edge, kNone, kNone});
+    if (half_edge == kNone) continue;
+    // Lines of sight through a small triangle that meets the place are found from that triangle.
+    const Corners there = corners_of(half_edge / 3);
+    if (!meets(there, place) || is_large(there, place)) expand(source, {half_edge, kNone, kNone});
   }
 }
 
-void ChangeVisibility::expand(const Corners& corners, Range range) {
+void ChangeVisibility::expand(const Source& source, Range range) {
   const FreeSpaceTriangulation::HalfEdge* const half_edges = triangulation_.half_edges().data();
   stack_.push_back(range);
   while (!stack_.empty()) {
     auto [half_edge, low, high] = stack_.back();
     stack_.pop_back();
     while (half_edge != kNone) {
-      if (++steps_ > triangulation_.half_edges().size()) {  // marking all nodes is cheaper from here on
+      if (++steps_ > kMostSteps * triangulation_.half_edges().size()) {  // marking all nodes is cheaper from here on
         std::fill(seen_.begin(), seen_.end(), std::uint8_t{1});
         stack_.clear();
         gives_up_ = true;
         return;
       }
       const FreeSpaceTriangulation::HalfEdge& triangle = half_edges[half_edge];
-      if (low != kNone && all_pass(corners, low, triangle.point, 1)) {
+      if (low != kNone && all_pass(source, low, triangle.point, 1)) {
         half_edge = triangle.left;
-      } else if (high != kNone && all_pass(corners, high, triangle.point, -1)) {
+      } else if (high != kNone && all_pass(source, high, triangle.point, -1)) {
         half_edge = triangle.right;
       } else {
         mark(triangle.node);
@@ -146,24 +164,20 @@ void ChangeVisibility::mark(std::uint32_t first_node) {
 }
 
 bool ChangeVisibility::meets(const Corners& corners, const Box& place) const {
-  Box box;
-  for (const std::uint32_t corner : corners) box.extend(triangulation_.points()[corner]);
-  if (!box.overlaps(place)) return false;
+  if (!box_of(corners).overlaps(place)) return false;
   for (std::uint32_t j = 0; j < 3; ++j)
     if (lies_right_of(triangulation_.points()[corners[j]], triangulation_.points()[corners[(j + 1) % 3]], place))
       return false;
   return true;
 }
 
-// Whether a point lies to the right (side 1) or to the left (-1) of the rays from all corners through another point.
-// Then no ray that passes that point on its other side reaches it.
-bool ChangeVisibility::all_pass(const Corners& corners, std::uint32_t through, std::uint32_t point, int side) const {
-  for (const std::uint32_t corner : corners)
-    if (orientation(triangulation_.points()[corner], triangulation_.points()[through], triangulation_.points()[point]) *
-            side >=
-        0)
-      return false;
-  return true;
+// Whether a point lies to the right (side 1) or to the left (-1) of the rays from all of a source through another
+// point. Then no ray that passes that point on its other side reaches it.
+bool ChangeVisibility::all_pass(const Source& source, std::uint32_t through, std::uint32_t point, int side) const {
+  const auto passes = [&](const Vec2& corner) {
+    return orientation(corner, triangulation_.points()[through], triangulation_.points()[point]) * side < 0;
+  };
+  return std::ranges::all_of(source.triangle, passes) || (source.is_large && std::ranges::all_of(source.box, passes));
 }
 
 }  // namespace arcway::internal

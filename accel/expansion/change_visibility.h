@@ -32,9 +32,15 @@ class TriangleBlocks {
 
 /// Conservative visibility of a change: marks all nodes with a line of sight to some place, and some others.
 ///
-/// A line of sight leaves the last triangle that meets the place through one of its sides, and then crosses half-edges.
-/// All points of that triangle stand for the points of the place. Each cone is bounded by the two vertices that split
-/// it last. A point beyond such a vertex, as seen from all corners of the triangle, is hidden.
+/// A line of sight leaves a triangle that meets the place through one of its sides, and then crosses half-edges. Which
+/// triangle depends on its last point in the place:
+/// 1. It lies in a triangle that is large beside the place. The line leaves that one; the box that it has within the
+///    place stands for the point.
+/// 2. Else it is the last triangle on the line that meets the place and is not large. All points of the triangle stand
+///    for those of the place.
+///
+/// Each cone is bounded by the two vertices that split it last. A point beyond such a vertex, as seen from all corners
+/// of the triangle or of the box, is hidden.
 class ChangeVisibility {
  public:
   /// @param triangulation  must have listed its left edges.
@@ -43,7 +49,7 @@ class ChangeVisibility {
       : triangulation_(triangulation), blocks_(blocks), seen_(triangulation.nodes().size(), 0) {}
 
   /// Marks the nodes that may see a point of the places. O(triangles log places + triangles seen), with blocks a
-  /// hundredth of the first; marks all nodes once more triangles are seen than exist.
+  /// hundredth of the first; marks all nodes once several times as many triangles are seen as exist.
   void mark_viewers(std::span<const Box> places);
   /// By node: 1 if it may see one of the places.
   [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
@@ -55,12 +61,20 @@ class ChangeVisibility {
   };
   using Corners = std::array<std::uint32_t, 3>;  // points of a triangle's corners
   [[nodiscard]] Corners corners_of(std::size_t triangle) const;
+  // Where rays begin: in a triangle; and in a box, if the triangle is large.
+  struct Source {
+    std::array<Vec2, 3> triangle;
+    bool is_large;
+    std::array<Vec2, 4> box;
+  };
+  [[nodiscard]] Box box_of(std::span<const std::uint32_t> points) const;
+  [[nodiscard]] bool is_large(const Corners& corners, const Box& place) const;
   void expand_out_of(std::size_t triangle, const Corners& corners, const Box& place);
-  void expand(const Corners& corners, Range range);
+  void expand(const Source& source, Range range);
   void follow_boundary(const PlanarMap::Edge& boundary);
   void mark(std::uint32_t first_node);
   [[nodiscard]] bool meets(const Corners& corners, const Box& place) const;
-  [[nodiscard]] bool all_pass(const Corners& corners, std::uint32_t through, std::uint32_t point, int side) const;
+  [[nodiscard]] bool all_pass(const Source& source, std::uint32_t through, std::uint32_t point, int side) const;
 
   const FreeSpaceTriangulation& triangulation_;
   const TriangleBlocks* blocks_;
