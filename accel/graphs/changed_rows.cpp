@@ -51,7 +51,7 @@ class ChangedRows final : public VisibilityRows, public std::enable_shared_from_
                                                std::shared_ptr<const VisibilityQuery> visibility) const override {
     const VertexMap next(change);
     std::optional<Changed> rows = change_rows(base_, after, map_.then(next), std::move(visibility));
-    if (!rows) return rows;
+    if (!rows) return rows_made_anew(world_, after, next);
     // What was stale before may be as it was in the beginning.
     for (const VertexId v : stale_)
       if (const VertexId now = next.after(v); now != kNone && after.is_graph_vertex(now))
@@ -110,15 +110,19 @@ std::vector<Box> places_of(const World& before, const World& after, const Vertex
 }
 
 // Graph vertices that see one of the places, or lie there; nothing if that is not known.
-std::optional<std::vector<VertexId>> find_stale(const LazyRows& base, const World& after, const VertexMap& map,
-                                                std::span<const Box> places) {
+// @param rows  of the world before the changes, or of the one after them.
+// @param now  gives the vertex after the changes for a vertex of that world; kNone if there is none.
+template <class Now>
+std::optional<std::vector<VertexId>> find_stale(const LazyRows& rows, const World& after, std::span<const Box> places,
+                                                const Now& now) {
   std::vector<VertexId> stale;
+  if (places.empty()) return stale;
   const auto add = [&](VertexId v) {
     if (v != kNone && after.is_graph_vertex(v)) stale.push_back(v);
   };
-  const std::optional<std::vector<VertexId>> viewers = base.neighbors().viewers_of(places);
+  const std::optional<std::vector<VertexId>> viewers = rows.neighbors().viewers_of(places);
   if (!viewers) return std::nullopt;
-  for (const VertexId v : *viewers) add(map.after(v));
+  for (const VertexId v : *viewers) add(now(v));
   const NearBoxes near(places);
   for (ObstacleId o = 0; o < after.region_count(); ++o) {
     if (!near.may_meet(after.box_of(o))) continue;
@@ -130,19 +134,33 @@ std::optional<std::vector<VertexId>> find_stale(const LazyRows& base, const Worl
   return stale;
 }
 
+bool touch_themselves(const World& before, const World& after) {
+  return !before.self_contacts().empty() || !after.self_contacts().empty();
+}
+
 }  // namespace
 
 std::optional<VisibilityRows::Changed> change_rows(std::shared_ptr<const LazyRows> base, const World& after,
                                                    const VertexMap& map,
                                                    std::shared_ptr<const VisibilityQuery> visibility) {
   const World& before = base->world();
-  if (!before.self_contacts().empty() || !after.self_contacts().empty()) return std::nullopt;
+  if (touch_themselves(before, after)) return std::nullopt;
   const std::vector<Box> places = places_of(before, after, map);
-  std::optional<std::vector<VertexId>> stale = std::vector<VertexId>{};
-  if (!places.empty()) stale = find_stale(*base, after, map, places);
+  std::optional<std::vector<VertexId>> stale =
+      find_stale(*base, after, places, [&](VertexId v) { return map.after(v); });
   if (!stale || stale->size() > kMostStale) return std::nullopt;
   return VisibilityRows::Changed{
       std::make_shared<const ChangedRows>(std::move(base), after, map, *stale, std::move(visibility)), *stale};
+}
+
+std::optional<VisibilityRows::Changed> rows_made_anew(const World& before, const World& after, const VertexMap& map) {
+  if (touch_themselves(before, after)) return std::nullopt;
+  auto rows = std::make_shared<const LazyRows>(after, SerialExecutor());
+  // Who sees another vertex now, or no longer, sees a place in both worlds: up to there nothing differs.
+  std::optional<std::vector<VertexId>> stale =
+      find_stale(*rows, after, places_of(before, after, map), [](VertexId v) { return v; });
+  if (!stale) stale.emplace(after.convex_vertices().begin(), after.convex_vertices().end());
+  return VisibilityRows::Changed{std::move(rows), *std::move(stale)};
 }
 
 }  // namespace arcway::internal

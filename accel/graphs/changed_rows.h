@@ -24,4 +24,9 @@ std::optional<VisibilityRows::Changed> change_rows(std::shared_ptr<const LazyRow
                                                    const VertexMap& map,
                                                    std::shared_ptr<const VisibilityQuery> visibility);
 
+/// New lazy rows of a world after a change, and what may differ. Nothing if regions of one of the worlds touch
+/// themselves.
+/// @param map  from the world before to `after`.
+std::optional<VisibilityRows::Changed> rows_made_anew(const World& before, const World& after, const VertexMap& map);
+
 }  // namespace arcway::internal

@@ -23,7 +23,9 @@ std::vector<VisibilityRows::Pair> LazyRows::pairs_within(double length,
 
 std::optional<VisibilityRows::Changed> LazyRows::changed(const World& after, const WorldChange& change,
                                                          std::shared_ptr<const VisibilityQuery> visibility) const {
-  return change_rows(shared_from_this(), after, VertexMap(change), std::move(visibility));
+  const VertexMap map(change);
+  std::optional<Changed> rows = change_rows(shared_from_this(), after, map, std::move(visibility));
+  return rows ? rows : rows_made_anew(world_, after, map);
 }
 
 std::shared_ptr<const VisibilityRows> make_lazy_rows(const World& world, const Executor& executor) {

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostGenerations = 32;
 // Largest number of circles of all of these graphs, some 4 bytes each; but two graphs are always kept.
 constexpr std::size_t kMostCircles = 8'000'000;
-// Largest number of boxes of changes without a search in between.
+// Largest number of boxes of changes without a search in between. One box stands for more vertices than that.
 constexpr std::size_t kMostBoxes = 4096;
 
 // No less than how far a body reaches from a vertex of a circle on that circle: at most an inner and an outer radius.
@@ -40,6 +40,17 @@ std::vector<Box> boxes_of(const World& world, std::span<const VertexId> vertices
   return boxes;
 }
 
+// One box around all of them if they are many.
+std::vector<Box> few(std::vector<Box> boxes) {
+  if (boxes.size() <= kMostBoxes / 2) return boxes;
+  Box all;
+  for (const Box& box : boxes) {
+    all.extend(box.min);
+    all.extend(box.max);
+  }
+  return {all};
+}
+
 void append(const std::vector<Box>& more, std::vector<Box>& boxes) {
   boxes.insert(boxes.end(), more.begin(), more.end());
 }
@@ -62,7 +73,7 @@ FoundBefore::FoundBefore(const LazyFeasibleGraph& before, const FeasibleGraphInp
   }
   if (generations_.empty()) return;
   generations_.front().places =
-      std::make_shared<const Places>(std::move(obstacles), std::move(vertices), largest_reach(inputs));
+      std::make_shared<const Places>(std::move(obstacles), few(std::move(vertices)), largest_reach(inputs));
   const std::size_t circles = std::max<std::size_t>(1, after.circles().all().size());
   std::size_t most = std::clamp<std::size_t>(kMostCircles / circles, 2, kMostGenerations);
   if (generations_.front().places->size() > kMostBoxes) most = 0;

@@ -83,11 +83,46 @@ TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
   for (const VertexId v : world.convex_vertices()) ASSERT_TRUE(std::ranges::equal(rows->of(v), anew->of(v))) << v;
 }
 
+bool are_new(const VisibilityRows::Changed& changed) {
+  return dynamic_cast<const LazyRows*>(changed.rows.get()) != nullptr;
+}
+
 TEST(ChangedRows, AreMadeAnewWhereTheTriangulationEnds) {
   const World world({{test::square(0, 0, 4), {}}, {test::square(9, 0, 2), {}}});
   const World after = world.changed({}, {{test::square(1e6, 0, 1), {}}});
   const auto rows = make_lazy_rows(world);
-  EXPECT_FALSE(rows->changed(after, WorldChange(world, after, {}), make_reference_queries(after).visibility));
+  const WorldChange change(world, after, {});
+  const auto changed = rows->changed(after, change, make_reference_queries(after).visibility);
+  ASSERT_TRUE(changed.has_value());
+  EXPECT_TRUE(are_new(*changed));
+  expect_right(*rows, *changed, after, change);
+}
+
+TEST(ChangedRows, AreMadeAnewOnceMuchHasChanged) {
+  World world = catalog_world("clutter/convex/n200/m8/f30/s3");
+  std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
+  int made_anew = 0;
+  for (int step = 0; step < 40; ++step) {
+    SCOPED_TRACE(step);
+    // The first one, which then is the last.
+    const std::vector<ObstacleId> removed{0};
+    Polygon moved = to_map_file(world).obstacles.front();
+    for (Vec2& p : moved.outer) p += Vec2(0.3, 0.0);
+    const World after = world.changed(removed, {moved});
+    const WorldChange change(world, after, removed);
+    const auto changed = rows->changed(after, change, make_reference_queries(after).visibility);
+    ASSERT_TRUE(changed.has_value());
+    if (are_new(*changed)) {
+      ++made_anew;
+      EXPECT_LT(changed->may_differ.size(), world.convex_vertices().size() / 3);
+      expect_right(*rows, *changed, after, change);
+      if (HasFatalFailure()) return;
+    }
+    rows = changed->rows;
+    world = after;
+  }
+  EXPECT_GT(made_anew, 0);
+  EXPECT_LT(made_anew, 10);
 }
 
 }  // namespace
