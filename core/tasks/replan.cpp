@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/motion/speed_profile.h"
+#include "core/tasks/replan_by.h"
 
 namespace arcway {
 
@@ -63,23 +64,20 @@ double time_of(std::span<const TimedSegment> segments) {
 
 class Replanner {
  public:
-  Replanner(const Planner& planner, const Trajectory& driven, double time, const ReplanOptions& options)
-      : planner_(planner),
+  Replanner(const ReplanQueries& queries, const Trajectory& driven, double time, const ReplanOptions& options)
+      : queries_(queries),
         last_(driven.segments().back()),
         options_(options),
         now_(driven.at(time)),
-        rest_(rest_of(driven, now_)) {
-    if (!(driven.vehicle() == planner.vehicle()))
-      throw std::invalid_argument("replan: the motion is of another vehicle than the planner's");
-  }
+        rest_(rest_of(driven, now_)) {}
 
   Replan run() {
     const auto begun = std::chrono::steady_clock::now();
-    const bool is_rest_free = planner_.is_free(path_of(rest_)), is_kept = is_rest_free && leads_to_goal();
+    const bool is_rest_free = queries_.is_free(path_of(rest_)), is_kept = is_rest_free && leads_to_goal();
     Replan next;
     PlanLimits left = options_.limits;
     left.time -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    if (left.time > 0.0 && !left.stop.stop_requested()) next.plan = planner_.plan(request(), left);
+    if (left.time > 0.0 && !left.stop.stop_requested()) next.plan = queries_.plan(request(), left);
     const double rest_time = time_of(rest_);
     if (next.plan.solved() && !(is_kept && rest_time <= next.plan.travel_time)) {
       next.motion = NextMotion::kPlanned;
@@ -115,10 +113,10 @@ class Replanner {
   }
 
   void brake(Replan& next) const {
-    const double a = planner_.vehicle().max_acceleration(), length = 0.5 * now_.speed * now_.speed / a;
+    const double a = queries_.vehicle.max_acceleration(), length = 0.5 * now_.speed * now_.speed / a;
     const PathSegment curve{now_.pose, length, now_.curvature, now_.gear}, line{now_.pose, length, 0.0, now_.gear};
     for (const Path& path : {along_rest(length), Path{curve}, Path{line}}) {
-      if (path.empty() || !planner_.is_free(path)) continue;
+      if (path.empty() || !queries_.is_free(path)) continue;
       next.motion = NextMotion::kBraking;
       double speed = now_.speed;
       for (const PathSegment& segment : path) {
@@ -144,11 +142,11 @@ class Replanner {
     }
     // The rest is too short for it only by rounding, unless it ends at speed.
     constexpr double kRounding = 1e-9;
-    if (length > kRounding * planner_.vehicle().footprint().length()) path.clear();
+    if (length > kRounding * queries_.vehicle.footprint().length()) path.clear();
     return path;
   }
 
-  const Planner& planner_;
+  const ReplanQueries& queries_;
   const TimedSegment& last_;
   const ReplanOptions& options_;
   TrajectoryState now_;
@@ -171,8 +169,18 @@ const char* name_of(NextMotion motion) {
   return "none";
 }
 
+Replan internal::replan_by(const ReplanQueries& queries, const Trajectory& driven, double time,
+                           const ReplanOptions& options) {
+  return Replanner(queries, driven, time, options).run();
+}
+
 Replan replan(const Planner& planner, const Trajectory& driven, double time, const ReplanOptions& options) {
-  return Replanner(planner, driven, time, options).run();
+  if (!(driven.vehicle() == planner.vehicle()))
+    throw std::invalid_argument("replan: the motion is of another vehicle than the planner's");
+  return replan_by(
+      {planner.vehicle(), [&](std::span<const PathSegment> path) { return planner.is_free(path); },
+       [&](const PlanRequest& request, const PlanLimits& limits) { return planner.plan(request, limits); }},
+      driven, time, options);
 }
 
 }  // namespace arcway

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "arcway/replan.h"
+
+namespace arcway::internal {
+
+/// What arcway::replan asks a planner for. Comparisons ask others.
+struct ReplanQueries {
+  const Vehicle& vehicle;
+  std::function<bool(std::span<const PathSegment>)> is_free;  ///< Planner::is_free
+  std::function<PlanResult(const PlanRequest&, const PlanLimits&)> plan;
+};
+
+/// arcway::replan by other queries. The vehicle of the motion is that of the queries.
+Replan replan_by(const ReplanQueries& queries, const Trajectory& driven, double time, const ReplanOptions& options);
+
+}  // namespace arcway::internal
