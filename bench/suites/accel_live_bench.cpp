@@ -1,164 +1,183 @@
 #include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arcway/accel/accel_backend.h"
-#include "arcway/angle.h"
-#include "arcway/datasets/map_file.h"
-#include "arcway/replan.h"
 #include "arcway/validation.h"
-#include "bench/cpu_clock.h"
+#include "bench/live/live_drive.h"
+#include "bench/live/live_planner.h"
 #include "bench/quantiles.h"
+#include "bench/resident_memory.h"
 #include "bench/robots.h"
 #include "bench/suites/corruption.h"
+#include "bench/suites/live_cycles.h"
 #include "bench/suites/plans.h"
 #include "bench/suites/suite.h"
 #include "bench/vehicle_worlds.h"
-#include "datasets/io/random.h"
+#ifdef ARCWAY_PEER_OMPL
+#include "bench/peers/ompl_live.h"
+#endif
 
-// A drive through a map that changes: in each cycle an obstacle moves, vanishes or comes back, the planner follows, and
-// the vehicle plans on from where it is. Every motion is validated. The same seeds give the same changes.
+// A drive through a map in which obstacles move, vanish and come back. In each cycle the planner follows the change,
+// and the vehicle plans on from where it is. The same seeds give the same walks of obstacles, as far as the motions of
+// the vehicle are the same.
 namespace arcway::internal::bench::accel_live_suite {
 namespace {
 
-constexpr double kDeadline = 0.01;  // for a plan within a cycle [s]
-constexpr double kStep = 0.1;       // of the extent of an obstacle: how far it moves in a cycle
+constexpr std::size_t kGoals = 20;
+// For changing the map and planning on in a cycle [s]. What takes longer than it may still ends within 10 ms then.
+constexpr double kWithin = 0.008;
+// Cycles that are planned without a time limit, to compare planners.
+constexpr int kCompared = 5;
 
-// Seconds of processor time of each cycle, and what came of them.
-struct Drive {
-  std::vector<double> changes, cycles;
-  std::size_t with_motion = 0, to_goal = 0, goals = 0;
-  bool is_valid = true;
-};
+using MakePlanner = std::function<std::unique_ptr<LivePlanner>(const World&, const Vehicle&)>;
 
-// An obstacle that moves, and its key while it is there.
-struct Mover {
-  Polygon polygon;
-  ObstacleKey key;
-  bool is_there = true;
-};
+Planner lazy_planner(const World& world, const Vehicle& vehicle) {
+  return {world, vehicle, accel_backend(world, kSerialExecutor)};
+}
 
-class LiveMap {
- public:
-  LiveMap(const KeptVehicle& kept, const std::string& world_name)
-      : world_(shared_world(kept, world_name)),
-        planner_(world_, kept.vehicle(), accel_backend(world_, kSerialExecutor)),
-        queries_(queries_for(kept.vehicle(), world_, kGoals, 1)) {
-    const std::vector<Polygon> obstacles = to_map_file(world_).obstacles;
-    for (ObstacleId o = 0; o < world_.obstacle_count(); ++o) movers_.push_back({obstacles[o], world_.key_of(o)});
-    driven_ = planner_.plan(queries_[0]).trajectory();
-  }
+std::unique_ptr<LivePlanner> changed_planner(const World& world, const Vehicle& vehicle) {
+  return std::make_unique<ChangedPlanner>(lazy_planner(world, vehicle));
+}
 
-  // One cycle of `period` seconds.
-  void drive_on(double period, Drive& drive) {
-    time_ = std::min(time_ + period, driven_->duration());
-    const auto [removed, added, mover] = next_change();
-    const CpuClock clock(CpuClock::Of::kThread);
-    planner_ = planner_.with_obstacles(removed, added);
-    drive.changes.push_back(clock.seconds());
-    const TrajectoryState now = driven_->at(time_);
-    if (now.time >= driven_->duration()) {
-      drive.goals += is_to_goal_;
-      ++goal_;
-    }
-    const Pose goal = queries_[goal_ % queries_.size()].goal;
-    const Replan next = replan(planner_, *driven_, time_, {.goal = goal, .limits = {.time = kDeadline}});
-    drive.cycles.push_back(clock.seconds());
-    if (mover != nullptr && !added.empty())
-      mover->key = planner_.world().key_of(static_cast<ObstacleId>(planner_.world().obstacle_count() - 1));
-    is_to_goal_ = next.motion == NextMotion::kPlanned || next.motion == NextMotion::kKept;
-    drive.with_motion += next.motion != NextMotion::kNoMotion;
-    drive.to_goal += is_to_goal_;
-    if (next.segments.empty()) return;
-    drive.is_valid = drive.is_valid && is_right(next, now);
-    driven_.emplace(next.segments, planner_.vehicle());
-    time_ = 0.0;
-  }
+std::unique_ptr<LivePlanner> rebuilt_planner(const World& world, const Vehicle& vehicle) {
+  return std::make_unique<RebuiltPlanner>(lazy_planner(world, vehicle),
+                                          [](const World& w) { return accel_backend(w, kSerialExecutor); });
+}
+
+// A drive of a kept vehicle in a world of the catalog.
+struct Route {
+  const World& world;
+  Vehicle vehicle;
+  std::vector<Pose> goals;
+  Trajectory first;  // to the first of them
+
+  Route(const KeptVehicle& kept, const std::string& world_name)
+      : world(shared_world(kept, world_name)), vehicle(kept.vehicle()), first(plan_first(*this)) {}
 
  private:
-  static constexpr std::size_t kGoals = 20;
-
-  struct Change {
-    std::vector<ObstacleKey> removed;
-    std::vector<Polygon> added;
-    Mover* mover;
-  };
-
-  // A change that leaves the vehicle where it is: nothing comes closer to it than its length.
-  Change next_change() {
-    Mover& mover = movers_[random_.below(movers_.size())];
-    Change change{{}, {}, &mover};
-    if (mover.is_there) change.removed.push_back(mover.key);
-    if (mover.is_there && random_.below(4) == 0) {
-      mover.is_there = false;
-      return change;
-    }
-    Box box;
-    for (const Vec2& p : mover.polygon.outer) box.extend(p);
-    const double angle = kTwoPi * random_.uniform();
-    Polygon moved = mover.polygon;
-    for (Vec2& p : moved.outer) p += kStep * (box.max - box.min).norm() * direction_of(angle);
-    const double room = 2.0 * planner_.vehicle().footprint().farthest();
-    const Pose at = driven_->at(time_).pose;
-    const bool is_near = box.grown(room + kStep * (box.max - box.min).norm()).contains(at.position());
-    if (is_near) return {{}, {}, nullptr};
-    mover.polygon = moved;
-    mover.is_there = true;
-    change.added.push_back(std::move(moved));
-    return change;
+  static Trajectory plan_first(Route& route) {
+    const std::vector<PlanRequest> requests = queries_for(route.vehicle, route.world, kGoals, 1);
+    for (const PlanRequest& request : requests) route.goals.push_back(request.goal);
+    return lazy_planner(route.world, route.vehicle).plan(requests.front()).trajectory();
   }
-
-  [[nodiscard]] bool is_right(const Replan& next, const TrajectoryState& now) const {
-    TimedPath path = timed_path_of(next.segments);
-    if (corrupting()) path.segments.back().length += 0.01;
-    return validate(planner_.world(), planner_.vehicle(), now.pose, next.segments.back().segment.end(), path,
-                    {.start_speed = now.signed_speed()})
-        .valid();
-  }
-
-  const World& world_;
-  Planner planner_;
-  std::vector<PlanRequest> queries_;
-  std::vector<Mover> movers_;
-  std::optional<Trajectory> driven_;
-  double time_ = 0.0;
-  std::size_t goal_ = 0;
-  bool is_to_goal_ = true;
-  Random random_{7};
 };
 
-void time_drive(benchmark::State& state, const KeptVehicle& kept, const std::string& world_name, double rate,
-                std::size_t cycles) {
-  Drive drive;
-  for (auto _ : state) {
-    LiveMap map(kept, world_name);
-    for (std::size_t i = 0; i < cycles; ++i) map.drive_on(1.0 / rate, drive);
+bool is_right(const LiveCycle& cycle, const World& world, const Vehicle& vehicle) {
+  if (cycle.next.segments.empty()) return true;
+  TimedPath path = timed_path_of(cycle.next.segments);
+  if (corrupting()) path.segments.back().length += 0.01;
+  return validate(world, vehicle, cycle.now.pose, cycle.next.segments.back().segment.end(), path,
+                  {.start_speed = cycle.now.signed_speed()})
+      .valid();
+}
+
+bool are_same(const TimedSegment& a, const TimedSegment& b) {
+  return a.segment.start == b.segment.start && a.segment.length == b.segment.length &&
+         a.segment.curvature == b.segment.curvature && a.segment.gear == b.segment.gear && a.speed_in == b.speed_in &&
+         a.speed_out == b.speed_out && a.duration == b.duration;
+}
+
+// Whether planners that follow changes, and planners made anew, give the same motions where time does not matter.
+bool agree(const Route& route) {
+  const LiveSetting setting{.within = std::numeric_limits<double>::infinity()};
+  const std::unique_ptr<LivePlanner> changed = changed_planner(route.world, route.vehicle);
+  const std::unique_ptr<LivePlanner> rebuilt = rebuilt_planner(route.world, route.vehicle);
+  LiveDrive drive(*changed, route.first, route.goals, setting), other(*rebuilt, route.first, route.goals, setting);
+  for (int i = 0; i < kCompared; ++i) {
+    const LiveCycle one = drive.next_cycle(), two = other.next_cycle();
+    if (one.next.motion != two.next.motion || !std::ranges::equal(one.next.segments, two.next.segments, are_same))
+      return false;
   }
-  if (!require(state, drive.is_valid, "the validator refuses a motion")) return;
+  return true;
+}
+
+// What came of the cycles of a drive.
+struct Record {
+  std::vector<double> changes, cycles;  // processor time [s]
+  std::size_t with_motion = 0, to_goal = 0, braking = 0;
+  std::int64_t resident_early = 0, resident = 0;  // after a tenth of the cycles, and at the end
+
+  void add(const LiveCycle& cycle) {
+    changes.push_back(cycle.change_seconds);
+    cycles.push_back(cycle.seconds());
+    with_motion += cycle.next.motion != NextMotion::kNoMotion;
+    braking += cycle.next.motion == NextMotion::kBraking;
+    to_goal += cycle.leads_to_goal();
+  }
+  void report(benchmark::State& state) const {
+    const auto share = [&](std::size_t count) {
+      return static_cast<double>(count) / static_cast<double>(cycles.size());
+    };
+    state.counters["change_seconds_median"] = median(changes);
+    state.counters["cycle_seconds_median"] = median(cycles);
+    state.counters["cycle_seconds_p99"] = quantile(cycles, 0.99);
+    state.counters["cycle_seconds_worst"] = quantile(cycles, 1.0);
+    state.counters["motion_share"] = share(with_motion);
+    state.counters["goal_share"] = share(to_goal);
+    state.counters["stop_share"] = share(braking);
+    state.counters["resident_bytes_early"] = static_cast<double>(resident_early);
+    state.counters["resident_bytes"] = static_cast<double>(resident);
+  }
+};
+
+void time_drive(benchmark::State& state, const Route& route, const MakePlanner& make, double rate, std::size_t cycles) {
+  Record record;
+  std::size_t goals = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    const std::unique_ptr<LivePlanner> planner = make(route.world, route.vehicle);
+    LiveDrive drive(*planner, route.first, route.goals, {.rate = rate, .within = kWithin});
+    for (std::size_t i = 0; i < cycles; ++i) {
+      state.ResumeTiming();
+      const LiveCycle cycle = drive.next_cycle();
+      state.PauseTiming();
+      record.add(cycle);
+      if (!require(state, is_right(cycle, planner->world(), route.vehicle), "the validator refuses a motion")) return;
+      if (i == cycles / 10) record.resident_early = resident_bytes();
+    }
+    goals = drive.goals_reached();
+    record.resident = resident_bytes();
+    state.ResumeTiming();
+  }
   set_batch(state, cycles);
-  const auto count = static_cast<double>(drive.cycles.size());
-  state.counters["change_seconds_median"] = median(drive.changes);
-  state.counters["cycle_seconds_median"] = median(drive.cycles);
-  state.counters["cycle_seconds_p99"] = quantile(drive.cycles, 0.99);
-  state.counters["cycle_seconds_worst"] = quantile(drive.cycles, 1.0);
-  state.counters["motion_share"] = static_cast<double>(drive.with_motion) / count;
-  state.counters["goal_share"] = static_cast<double>(drive.to_goal) / count;
-  state.counters["goals_reached"] = static_cast<double>(drive.goals);
+  record.report(state);
+  state.counters["goals_reached"] = static_cast<double>(goals);
+}
+
+std::vector<std::pair<std::string, MakePlanner>> all_planners() {
+  std::vector<std::pair<std::string, MakePlanner>> planners{{"changed", changed_planner}, {"rebuilt", rebuilt_planner}};
+#ifdef ARCWAY_PEER_OMPL
+  planners.emplace_back("ompl_rrtconnect_wide", [](const World& world, const Vehicle& vehicle) {
+    return std::make_unique<peers::OmplLivePlanner>(world, vehicle, accel_backend(world, kSerialExecutor));
+  });
+#endif
+  return planners;
 }
 
 void add(Study study) {
-  const std::size_t cycles = study == Study::kCheck ? 30 : 1000;
-  const std::string world = clutter_name("convex", study == Study::kCheck ? 30 : 150, 10, 15);
-  for (const double rate : {10.0, 50.0})
-    add_benchmark("Live/amr/hertz:" + std::to_string(static_cast<int>(rate)),
-                  [world, rate, cycles](benchmark::State& state) {
-                    time_drive(state, real_vehicles().front(), world, rate, cycles);
-                  })
-        ->Iterations(1)
-        ->Repetitions(1);
+  const bool is_check = study == Study::kCheck;
+  const std::size_t cycles = live_cycles() > 0 ? live_cycles() : is_check ? 30 : 1000;
+  const std::string world = clutter_name("convex", is_check ? 30 : 150, 10, 15);
+  for (const auto& [name, make] : all_planners())
+    for (const double rate : {10.0, 50.0})
+      add_benchmark("Live/amr/" + name + "/hertz:" + std::to_string(static_cast<int>(rate)),
+                    [world, make, rate, cycles](benchmark::State& state) {
+                      const Route route(real_vehicles().front(), world);
+                      if (!require_once(
+                              state, "Live/" + world, [&] { return agree(route); },
+                              "planners that follow changes and new ones give different motions"))
+                        return;
+                      time_drive(state, route, make, rate, cycles);
+                    })
+          ->Iterations(1)
+          ->Repetitions(1);
 }
 
 const Suite suite(add, Takes::kAllButQuick);

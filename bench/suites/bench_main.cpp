@@ -9,6 +9,7 @@
 #include "arcway/datasets/file_io.h"
 #include "bench/report/results.h"
 #include "bench/suites/corruption.h"
+#include "bench/suites/live_cycles.h"
 #include "bench/suites/reporter.h"
 #include "bench/suites/run_policy.h"
 #include "bench/suites/suite.h"
@@ -17,13 +18,14 @@ namespace arcway::internal::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "arcway_bench [--study=check|quick|full] [--out=F.json [--update|--repeat]] [--corrupt] [Google Benchmark's own "
-    "arguments]\n"
+    "arcway_bench [--study=check|quick|full] [--out=F.json [--update|--repeat]] [--corrupt] [--live-cycles=N]\n"
+    "             [Google Benchmark's own arguments]\n"
     "--update keeps what the file has of other benchmarks. --repeat keeps all that it has, if it is there: the runs "
     "are\n"
     "further repetitions.\n"
     "--corrupt makes every implementation get one answer wrong, and is done if all benchmarks notice; with\n"
     "--study=check, as larger sizes check some answers only.\n"
+    "--live-cycles=N drives N cycles in each benchmark Live, up to 1,000,000.\n"
     "Exit codes: 0 all answers right (--corrupt: all noticed to be wrong), 1 not so, 2 bad usage.\n";
 
 struct Options {
@@ -35,6 +37,15 @@ struct Options {
 };
 
 constexpr const char* kStudyNames[] = {"check", "quick", "full"};
+
+/// A number from 1 to 1,000,000; false if it is none.
+bool take_cycles(const std::string& text) {
+  constexpr std::size_t kMostDigits = 7, kMost = 1'000'000;
+  if (text.empty() || text.size() > kMostDigits || text.find_first_not_of("0123456789") != std::string::npos)
+    return false;
+  live_cycles() = std::stoul(text);
+  return live_cycles() >= 1 && live_cycles() <= kMost;
+}
 
 /// Takes the tool's own arguments; false if one is wrong. The others go on to Google Benchmark.
 bool take_options(int argc, char** argv, Options& options, std::vector<std::string>& others) {
@@ -54,6 +65,8 @@ bool take_options(int argc, char** argv, Options& options, std::vector<std::stri
       options.repeat = true;
     } else if (argument.rfind("--out=", 0) == 0) {
       options.out = argument.substr(6);
+    } else if (argument.rfind("--live-cycles=", 0) == 0) {
+      if (!take_cycles(argument.substr(argument.find('=') + 1))) return false;
     } else if (argument.rfind("--benchmark_", 0) == 0) {
       others.push_back(with_unit(argument));
     } else {
