@@ -13,6 +13,7 @@
 #include "arcway/backend.h"
 #include "arcway/body_shape.h"
 #include "arcway/bottleneck.h"
+#include "arcway/clearance_preference.h"
 #include "arcway/closed_spline.h"
 #include "arcway/curved_plan.h"
 #include "arcway/distance_query.h"
