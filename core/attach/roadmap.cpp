@@ -4,6 +4,7 @@
 
 #include "core/attach/circle_places.h"
 #include "core/attach/circle_table.h"
+#include "core/attach/close_turns.h"
 
 namespace arcway::internal {
 
@@ -29,6 +30,13 @@ Roadmap Roadmap::with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRa
   map.graph = std::move(other);
   map.circles = std::make_shared<const CircleTable>(*map.graph);
   map.places = std::make_shared<const CirclePlaces>(map.graph->turn_circles(), outlines);
+  return clearance_cost ? map.with_cost(clearance_cost) : map;
+}
+
+Roadmap Roadmap::with_cost(std::shared_ptr<const ClearanceCost> cost) const {
+  Roadmap map = *this;
+  map.clearance_cost = std::move(cost);
+  map.close_turns = std::make_shared<const CloseTurns>(map.graph, map.clearance_cost);
   return map;
 }
 

@@ -5,6 +5,7 @@
 #include "arcway/query_set.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
+#include "core/collision/clearance_cost.h"
 #include "core/gaps/vehicle_gaps.h"
 #include "core/model/outlines.h"
 #include "core/roadmap/circle_radii.h"
@@ -16,6 +17,7 @@ namespace arcway::internal {
 
 class CircleTable;
 class CirclePlaces;
+class CloseTurns;
 
 /// The roadmap: the world, the vehicle, their queries and the feasible graph. All searches on one map share it.
 /// Immutable.
@@ -28,6 +30,8 @@ struct Roadmap {
   /// A roadmap of the same world and vehicle with another graph.
   /// @param other_radii  of that graph; the smallest are those of this roadmap.
   [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii) const;
+  /// The roadmap on which driving close to obstacles costs.
+  [[nodiscard]] Roadmap with_cost(std::shared_ptr<const ClearanceCost> cost) const;
 
   World world;
   Vehicle vehicle;
@@ -39,8 +43,10 @@ struct Roadmap {
   std::shared_ptr<const Outlines> outlines;
   std::shared_ptr<const CirclePlaces> places;  ///< of the graph
   std::shared_ptr<const VehicleGaps> gaps;
-  std::shared_ptr<const SpeedZones> speed_zones;     ///< of the world; null: no zone limits the speed
-  std::shared_ptr<const OneWayZones> one_way_zones;  ///< of the world; null: no zone forbids a direction
+  std::shared_ptr<const SpeedZones> speed_zones;        ///< of the world; null: no zone limits the speed
+  std::shared_ptr<const OneWayZones> one_way_zones;     ///< of the world; null: no zone forbids a direction
+  std::shared_ptr<const ClearanceCost> clearance_cost;  ///< null: time alone counts, beside changes of gear
+  std::shared_ptr<const CloseTurns> close_turns;        ///< on circles of the graph; null without that cost
 };
 
 }  // namespace arcway::internal

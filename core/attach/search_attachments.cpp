@@ -124,8 +124,9 @@ void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, cons
   direct_paths_.push_back({start, goal, *between, 0.0});
   take_path(direct_paths_.back(), path_);
   const SearchOptions& options = context_->options;
-  direct_paths_.back().time =
-      travel_cost(path_, context_->vehicle, options.ends, options.cusp_cost, profile_, context_->map.speed_zones.get());
+  direct_paths_.back().time = travel_cost(path_, context_->vehicle, options.ends, options.cusp_cost, profile_,
+                                          context_->map.speed_zones.get()) +
+                              clearance_cost(context_->map.clearance_cost.get(), path_);
   if (direct_paths_.back().time == kInfinity) direct_paths_.pop_back();
 }
 

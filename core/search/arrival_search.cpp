@@ -41,7 +41,7 @@ constexpr double kPrefetchHaste = 0.003;
 // in clutter have fewer on nearly all circles.
 constexpr std::uint32_t kExactArrivals = 16;
 constexpr double kSameTime = 1e-4;
-// Share by which an estimate that knows zones may exceed one that does not and counts as the same.
+// Share by which an estimate that knows places may exceed one that does not and counts as the same.
 constexpr double kSameEstimate = 1e-12;
 // Number of paths whose memory is kept: a query holds back one while it looks for others.
 constexpr std::size_t kPaths = 2;
@@ -105,6 +105,7 @@ void append_line(Path& path, const Pose& start, double length) {
 // What labels depend on beside the map, the starts and the goals.
 struct Question {
   Vehicle vehicle;  // with the gears as the path will be driven
+  const ClearanceCost* clearance_cost;
   Heuristic heuristic;
   TimeModel time_model;
   EndSpeeds ends;
@@ -117,8 +118,11 @@ struct Question {
 
 Question question_of(const SearchContext& context) {
   const SearchOptions& o = context.options;
-  return {context.vehicle, o.heuristic, o.time_model, o.ends,     o.cusp_cost,
-          o.suboptimality, o.not_first, o.not_last,   o.end_radii};
+  return {context.vehicle, context.map.clearance_cost.get(),
+          o.heuristic,     o.time_model,
+          o.ends,          o.cusp_cost,
+          o.suboptimality, o.not_first,
+          o.not_last,      o.end_radii};
 }
 
 }  // namespace
@@ -363,13 +367,14 @@ class ArrivalSearch::Run {
     if (comes_later(entry, label) || !arrive(label)) w_.times.truncate(joints);
   }
 
-  // Whether an entry, whose estimate knows no zones, has been put back on the open list for its arrival is not the next
-  // one.
+  // Whether an entry, whose estimate knows no places, has been put back on the open list for its arrival is not the
+  // next one.
   bool comes_later(const Entry& entry, const Label& label) {
-    if (!w_.times.has_zones() || w_.open.empty()) return false;
+    if (!w_.times.depends_on_places() || w_.open.empty()) return false;
     const SpeedTree::Joint& arrival = w_.times.speeds()[label.joint];
     const TurnCircle& circle = graph_.circles()[label.circle];
-    const double exact = arrival.time + remaining(pose_on(circle, label.heading).position(), arrival.speed);
+    const double exact = arrival.time + w_.times.clearance_cost(label.joint) +
+                         remaining(pose_on(circle, label.heading).position(), arrival.speed);
     if (!(exact > entry.estimate * (1.0 + kSameEstimate)) || exact <= w_.open.first_few(1)[0].estimate) return false;
     push(entry.kind(), entry.index(), exact);
     return true;
@@ -384,9 +389,12 @@ class ArrivalSearch::Run {
       const double radius = circles_.circle(link.circle).radius;
       const std::uint32_t start = w_.start_joints[link.attachment_circle];
       const std::uint32_t joint =
-          w_.times.has_zones() ? add_drive(start, arc_on(from.circle, from.heading, link.turn), link.line, radius)
-                               : w_.times.add_drive({start, link.turn * from.circle.radius, from.circle.radius,
-                                                     link.line.length, radius});
+          w_.times.depends_on_places()
+              ? add_line(
+                    w_.times.add_segment(start, arc_on(from.circle, from.heading, link.turn), vehicle_.max_speed()),
+                    link.line, radius)
+              : w_.times.add_drive(
+                    {start, link.turn * from.circle.radius, from.circle.radius, link.line.length, radius});
       return {link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone};
     }
     const Step step = w_.steps[entry.index()];
@@ -394,16 +402,16 @@ class ArrivalSearch::Run {
     const double radius = circles_.circle(step.to).radius;
     const TurnCircle& circle = graph_.circles()[parent.circle];
     const std::uint32_t joint =
-        w_.times.has_zones()
-            ? add_drive(parent.joint, arc_on(circle, parent.heading, step.turn),
-                        {pose_on(circle, step.heading), step.length}, radius)
+        w_.times.depends_on_places()
+            ? add_line(w_.times.add_turn(parent.joint, parent.circle, arc_on(circle, parent.heading, step.turn),
+                                         vehicle_.max_speed()),
+                       {pose_on(circle, step.heading), step.length}, radius)
             : w_.times.add_drive({parent.joint, step.turn * parent.radius, parent.radius, step.length, radius});
     return {step.to, 0, radius, step.heading, 0.0, joint, step.label, step.index, kNone};
   }
 
-  // A drive with the limits of zones, and the joint at its end.
-  std::uint32_t add_drive(std::uint32_t joint, const PathSegment& arc, const Bitangent& line, double next_radius) {
-    joint = w_.times.add_segment(joint, arc, vehicle_.max_speed());
+  // The line of a drive whose cost depends on places, and the joint at its end.
+  std::uint32_t add_line(std::uint32_t joint, const Bitangent& line, double next_radius) {
     return w_.times.add_segment(joint, {line.start, line.length, 0.0}, vehicle_.turn_speed(next_radius));
   }
 
@@ -466,7 +474,7 @@ class ArrivalSearch::Run {
   [[nodiscard]] double undominated_turn(const Label& label, Side side) const {
     const SpeedTree& speeds = w_.times.speeds();
     const std::size_t joints = speeds.size();
-    const double speed = vehicle_.turn_speed(label.radius);
+    const double speed = vehicle_.turn_speed(label.radius), cost = w_.times.clearance_cost(label.joint);
     double limit = kInfinity;
     const double same = kSameTime * (label.number / kExactArrivals) * speeds[label.joint].time;
     const auto slack = [&](std::uint32_t i) {
@@ -476,26 +484,34 @@ class ArrivalSearch::Run {
       const Label& other = w_.labels[i];
       const double behind = turn_between(other.heading, label.heading, side);
       if (behind <= other.reach) {
-        const auto here = turned(other, behind, speed);
-        const bool is_as_good = speeds.dominates(here, speeds[label.joint], slack(i));
+        const Turned here = turned(other, behind, speed);
+        const bool is_as_good = speeds.dominates(here.joint, speeds[label.joint], slack(i) + cost - here.cost);
         w_.times.truncate(joints);
         if (is_as_good) return -1.0;
       }
       const double ahead = turn_between(label.heading, other.heading, side);
       if (ahead <= label.reach && ahead < limit) {
-        const auto there = turned(label, ahead, speed);
-        if (speeds.dominates(speeds[other.joint], there, slack(i))) limit = ahead;
+        const Turned there = turned(label, ahead, speed);
+        const double other_cost = w_.times.clearance_cost(other.joint);
+        if (speeds.dominates(speeds[other.joint], there.joint, slack(i) + there.cost - other_cost)) limit = ahead;
         w_.times.truncate(joints);
       }
     }
     return limit;
   }
 
-  // The joint of a label after a turn on its circle. With zones it lies behind joints that the caller forgets.
-  [[nodiscard]] SpeedTree::Joint turned(const Label& label, double turn, double speed) const {
-    if (!w_.times.has_zones()) return w_.times.speeds().extend(label.joint, turn * label.radius, speed, speed);
+  struct Turned {
+    SpeedTree::Joint joint;
+    double cost;  // of driving close to obstacles up to there [s]
+  };
+  // The joint of a label after a turn on its circle. Where costs depend on places, it lies behind joints that the
+  // caller forgets.
+  [[nodiscard]] Turned turned(const Label& label, double turn, double speed) const {
+    if (!w_.times.depends_on_places())
+      return {w_.times.speeds().extend(label.joint, turn * label.radius, speed, speed), 0.0};
     const PathSegment arc = arc_on(graph_.circles()[label.circle], label.heading, turn);
-    return w_.times.speeds()[w_.times.add_segment(label.joint, arc, speed)];
+    const std::uint32_t joint = w_.times.add_turn(label.joint, label.circle, arc, speed);
+    return {w_.times.speeds()[joint], w_.times.clearance_cost(joint)};
   }
 
   // Pushes the departures from a circle, from the arrival's heading on, up to the end of its free interval or an older
@@ -530,9 +546,9 @@ class ArrivalSearch::Run {
     if (!goes_on(turn) || (goal.checked && !goal.free)) return;
     const AttachmentCircle& to = attachments_.goal_circles()[goal.link.attachment_circle];
     const double time =
-        w_.times.has_zones()
-            ? w_.times.time_to_goal(label.joint, arc_on(graph_.circles()[label.circle], label.heading, turn), goal.link,
-                                    to)
+        w_.times.depends_on_places()
+            ? w_.times.time_to_goal(label.joint, label.circle,
+                                    arc_on(graph_.circles()[label.circle], label.heading, turn), goal.link, to)
             : w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link, to);
     if (time >= goal.best_time) return;
     goal.best_time = time;

@@ -1,7 +1,9 @@
 #include "core/search/search_times.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/attach/close_turns.h"
 #include "core/base/infinity.h"
 #include "core/motion/speed_profile.h"
 
@@ -17,21 +19,35 @@ constexpr double kGoalRounding = 1e-12;
 void SearchTimes::begin(const SearchContext& context, bool warm_start) {
   context_ = &context;
   zones_ = context.map.speed_zones.get();
+  clearance_ = context.map.clearance_cost.get();
   line_speed_ = context.vehicle.max_speed();
   if (!warm_start) {
     const SearchOptions& options = context.options;
     speeds_.reset(context.vehicle.max_acceleration(), options.time_model, options.ends.start, options.ends.goal);
+    clearance_costs_.assign(clearance_ == nullptr ? 0 : speeds_.size(), 0.0);
   }
+}
+
+void SearchTimes::truncate(std::size_t size) {
+  speeds_.truncate(size);
+  if (clearance_ != nullptr) clearance_costs_.resize(size);
+}
+
+std::uint32_t SearchTimes::add_stop(std::uint32_t joint) {
+  const double cost = clearance_cost(joint);
+  joint = speeds_.add_stop(joint, context_->options.cusp_cost);
+  if (clearance_ != nullptr) clearance_costs_.resize(speeds_.size(), cost);
+  return joint;
 }
 
 std::uint32_t SearchTimes::add_connection(const AttachmentCircle& from) {
   const Path& connection = context_->starts[from.attachment].connection;
   std::uint32_t joint = 0;
   const Stretch circle{0.0, context_->vehicle.turn_speed(from.circle.radius), Gear::kForward};
-  if (zones_ != nullptr) {
+  if (depends_on_places()) {
     joint = add_path(joint, connection, circle.limit);
     const bool stops = !connection.empty() && connection.back().gear != circle.gear;
-    return stops ? speeds_.add_stop(joint, context_->options.cusp_cost) : joint;
+    return stops ? add_stop(joint) : joint;
   }
   for (std::size_t i = 0; i < connection.size(); ++i)
     joint = add_stretch(joint, stretch_of(connection[i]),
@@ -48,7 +64,9 @@ std::uint32_t SearchTimes::add_drive(const Drive& drive) {
 SpeedTree::Joint SearchTimes::drive(const Drive& drive) const {
   const Vehicle& vehicle = context_->vehicle;
   const auto departure = speeds_.extend(drive.joint, drive.arc, vehicle.turn_speed(drive.radius), line_speed_);
-  return speeds_.extend(departure, drive.line, line_speed_, vehicle.turn_speed(drive.next_radius));
+  SpeedTree::Joint arrival = speeds_.extend(departure, drive.line, line_speed_, vehicle.turn_speed(drive.next_radius));
+  arrival.time += clearance_cost(drive.joint);
+  return arrival;
 }
 
 double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
@@ -61,27 +79,28 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
     joint = add_stretch(joint, stretch, next);
     stretch = next;
   }
-  return time_at_goal(add_stretch(joint, stretch, {0.0, context_->options.ends.goal, stretch.gear}), size);
+  return cost_at_goal(add_stretch(joint, stretch, {0.0, context_->options.ends.goal, stretch.gear}), size);
 }
 
-double SearchTimes::time_to_goal(std::uint32_t joint, const PathSegment& arc, const AttachmentLink& link,
-                                 const AttachmentCircle& to) {
+double SearchTimes::time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
+                                 const AttachmentLink& link, const AttachmentCircle& to) {
   const std::size_t size = speeds_.size();
-  last_.assign({arc, {link.line.start, link.line.length, 0.0}});
+  joint = add_turn(joint, circle, arc, context_->vehicle.max_speed());
+  last_.assign({{link.line.start, link.line.length, 0.0}});
   const double radius = to.circle.radius;
   last_.push_back({pose_on(to.circle, link.line.start.heading), link.turn * radius, sign_of(to.circle.side) / radius});
   const Path& connection = context_->goals[to.attachment].connection;
   last_.insert(last_.end(), connection.begin(), connection.end());
-  return time_at_goal(add_path(joint, last_, context_->options.ends.goal), size);
+  return cost_at_goal(add_path(joint, last_, context_->options.ends.goal), size);
 }
 
-// The time at the last joint, if it is fast enough. Forgets the joints from `size` on.
-double SearchTimes::time_at_goal(std::uint32_t joint, std::size_t size) {
+// The time and cost at the last joint, if it is fast enough. Forgets the joints from `size` on.
+double SearchTimes::cost_at_goal(std::uint32_t joint, std::size_t size) {
   const double goal_speed = context_->options.ends.goal;
   const bool is_fast_enough = speeds_[joint].speed >= goal_speed * (1.0 - kGoalRounding);
-  const double time = is_fast_enough ? speeds_[joint].time : kInfinity;
-  speeds_.truncate(size);
-  return time;
+  const double cost = is_fast_enough ? speeds_[joint].time + clearance_cost(joint) : kInfinity;
+  truncate(size);
+  return cost;
 }
 
 SearchTimes::Stretch SearchTimes::stretch_of(const PathSegment& segment) const {
@@ -89,14 +108,31 @@ SearchTimes::Stretch SearchTimes::stretch_of(const PathSegment& segment) const {
 }
 
 std::uint32_t SearchTimes::add_segment(std::uint32_t joint, const PathSegment& segment, double next_limit) {
-  const double own = speed_limit(segment, context_->vehicle);
-  zones_->cut(segment, parts_);
+  return add_parts(joint, segment, next_limit, clearance_ == nullptr ? 0.0 : clearance_->of(segment));
+}
+
+std::uint32_t SearchTimes::add_turn(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
+                                    double next_limit) {
+  const CloseTurns* turns = context_->map.close_turns.get();
+  const double turn = arc.length * std::abs(arc.curvature);
+  return add_parts(joint, arc, next_limit, turns == nullptr ? 0.0 : turns->cost_of(circle, arc.start.heading, turn));
+}
+
+// The parts of a segment between borders of zones, and its clearance cost behind the last one.
+std::uint32_t SearchTimes::add_parts(std::uint32_t joint, const PathSegment& segment, double next_limit, double cost) {
+  const double own = speed_limit(segment, context_->vehicle), cost_before = clearance_cost(joint);
+  if (zones_ != nullptr) {
+    zones_->cut(segment, parts_);
+  } else {
+    parts_.assign({{segment.length, kInfinity}});
+  }
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const double limit = std::min(own, parts_[i].cap);
     if (speeds_[joint].speed > limit) joint = speeds_.add(joint, 0.0, limit, limit);
     joint = speeds_.add(joint, parts_[i].length, limit,
                         i + 1 < parts_.size() ? std::min(own, parts_[i + 1].cap) : next_limit);
   }
+  if (clearance_ != nullptr) clearance_costs_.resize(speeds_.size(), cost_before + cost);
   return joint;
 }
 
@@ -108,7 +144,7 @@ std::uint32_t SearchTimes::add_path(std::uint32_t joint, std::span<const PathSeg
                         stops     ? 0.0
                         : is_last ? next_limit
                                   : speed_limit(path[i + 1], context_->vehicle));
-    if (stops) joint = speeds_.add_stop(joint, context_->options.cusp_cost);
+    if (stops) joint = add_stop(joint);
   }
   return joint;
 }

@@ -11,7 +11,9 @@
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/graph_mode.h"
+#include "core/attach/clear_circles.h"
 #include "core/attach/maneuvers.h"
+#include "core/collision/clearance_cost.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 #include "core/roadmap/build_feasible_graph.h"
@@ -35,7 +37,7 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const CircleRadii& 
   return Roadmap(world, vehicle, queries, radii, std::move(graph), std::make_shared<const Outlines>(world));
 }
 
-// Every path of the graph whose time could be below a bound, one by one, without comparing any two of them.
+// Every path of the graph whose cost could be below a bound, one by one, without comparing any two of them.
 class Enumeration {
  public:
   Enumeration(const Roadmap& map, const Pose& start, const Pose& goal, double bound, std::uint32_t not_first = kNone,
@@ -85,7 +87,7 @@ class Enumeration {
     relaxed.push_back({straight.end(), distance, 0.0});
     const double least =
         ends_.is_moving() ? time_without_braking(relaxed) : speed_profile(relaxed, map_.vehicle).total_time;
-    const bool hopeful = least <= best_ + 1e-9;
+    const bool hopeful = least + clearance_cost(map_.clearance_cost.get(), path_) <= best_ + 1e-9;
     if (hopeful && is_free(straight) && (turn == 0.0 || is_free(arc))) return true;
     pop();
     return false;
@@ -107,10 +109,11 @@ class Enumeration {
   }
 
   void end(const Path& path) {
-    const double time = travel_time(path, map_.vehicle, ends_, profile_, map_.speed_zones.get());
-    if (std::isinf(time)) return;
+    const double cost = travel_time(path, map_.vehicle, ends_, profile_, map_.speed_zones.get()) +
+                        clearance_cost(map_.clearance_cost.get(), path);
+    if (std::isinf(cost)) return;
     ++paths_;
-    best_ = std::min(best_, time);
+    best_ = std::min(best_, cost);
   }
 
   void visit(std::uint32_t c, double heading) {
@@ -239,6 +242,43 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsThroughZones) {
   }
   EXPECT_GT(solved, 30);
   EXPECT_GT(slowed, 15);
+}
+
+// On the circles of the vehicle, and on those that keep the distance as well; with zones for some.
+TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
+  ArrivalSearch search;
+  int solved = 0, close = 0, slower = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::RandomInputs random(seed);
+    World world = world_of_few(3, 0.15, seed);
+    if (seed % 4 == 3)
+      world =
+          world.with_zones({{Polygon::regular(0.5 * (world.box().min + world.box().max), 5.0, 5), SpeedLimit{2.0}}});
+    const Vehicle vehicle(parameters_of(seed));
+    const Roadmap plain = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    const ClearancePreference preference{.distance = random.uniform(0.2, 1.0), .cost = random.uniform(0.02, 0.5)};
+    Roadmap map = plain.with_cost(std::make_shared<const ClearanceCost>(vehicle, plain.outlines, preference));
+    if (seed % 3 == 0) map = with_clear_circles(map);
+    for (int i = 0; i < 15; ++i) {
+      const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
+      const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
+      if (!result.path) continue;
+      ++solved;
+      const double close_cost = map.clearance_cost->of(*result.path);
+      const double time = speed_profile(*result.path, vehicle, {}, map.speed_zones.get()).total_time;
+      const double cost = time + close_cost;
+      close += close_cost > 0.0 ? 1 : 0;
+      Enumeration all(map, start.pose, goal.pose, cost);
+      EXPECT_NEAR(all.best(), cost, 1e-9 * cost) << "seed " << seed << ", query " << i;
+      EXPECT_GE(all.paths(), 1u);
+      const SearchResult fastest = search.find(plain, {&start, 1}, {&goal, 1}, {});
+      ASSERT_TRUE(fastest.path);
+      slower += time > speed_profile(*fastest.path, vehicle, {}, map.speed_zones.get()).total_time + 1e-9 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(solved, 60);
+  EXPECT_GT(close, 30);
+  EXPECT_GT(slower, 10);
 }
 
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/attach/roadmap.h"
+
+namespace arcway::internal {
+
+/// A roadmap with further circles around all vertices, on which the body keeps the preferred distance from its vertex.
+/// They are wider where the body would cover the vertex. The graph is lazy, and has all links of the given one.
+/// Precondition: the roadmap has a clearance cost.
+[[nodiscard]] Roadmap with_clear_circles(const Roadmap& map);
+
+}  // namespace arcway::internal
