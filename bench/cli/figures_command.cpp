@@ -6,6 +6,7 @@
 #include "arcway/datasets/file_io.h"
 #include "arcway/datasets/paper_example.h"
 #include "bench/cli/arguments.h"
+#include "bench/cli/draw_live_drive.h"
 #include "bench/cli/output_files.h"
 #include "bench/figures/figures.h"
 #include "bench/robots.h"
@@ -22,6 +23,7 @@ int draw_figures(const std::string& folder, std::string& out) {
     return kExitNoPath;
   }
   make_folders(folder);
+  const figures::LiveFigures live = draw_live_drive();
   const std::vector<figures::Figure> figures = {
       figures::visibility_graphs(planner),
       figures::vehicle_model(planner.vehicle()),
@@ -31,7 +33,9 @@ int draw_figures(const std::string& folder, std::string& out) {
       figures::swept_turn(bench::mowing_tractor().vehicle(), "figure5_tractor"),
       figures::speed_profiles(planner.vehicle()),
       figures::feasible_graph_and_motion(planner, plan),
-      figures::vehicle_gallery()};
+      figures::vehicle_gallery(),
+      live.animation,
+      live.moments};
   const auto target = [&](const figures::Figure& figure) {
     return (std::filesystem::path(folder) / (figure.name + ".svg")).string();
   };
@@ -53,9 +57,13 @@ int draw_figures(const std::string& folder, std::string& out) {
 
 void add_figures_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
-      "figures", "Draw the paper's figures 1 to 7, figure 5 of a tractor with a mower, and a gallery of bodies");
+      "figures",
+      "Draw the paper's figures 1 to 7, figure 5 of a tractor with a mower, a gallery of bodies, and a drive");
   const auto folder = std::make_shared<std::string>();
-  command->add_option("--out", *folder, "Folder for figure1.svg to figure7.svg, figure5_tractor.svg and bodies.svg")
+  command
+      ->add_option(
+          "--out", *folder,
+          "Folder for figure1.svg to figure7.svg, figure5_tractor.svg, bodies.svg, live.svg and live_moments.svg")
       ->required();
   command->callback([&action, folder] { action = [folder](std::string& out) { return draw_figures(*folder, out); }; });
 }

@@ -10,8 +10,10 @@
 #include "arcway/datasets/svg.h"
 #include "arcway/planner.h"
 #include "bench/cli/arguments.h"
+#include "bench/cli/draw_live_drive.h"
 #include "bench/report/first_page.h"
 #include "bench/report/markup.h"
+#include "bench/report/results.h"
 #include "bench/robots.h"
 #include "bench/vehicle_worlds.h"
 
@@ -128,6 +130,8 @@ std::vector<std::string> report_pictures(const report::Inputs& inputs) {
     pictures.push_back("<figure class=\"picture\">" + svg + "<figcaption>" +
                        escaped(picture_caption(query, scene, result)) + "</figcaption></figure>");
   }
+  if (!report::of_stage(inputs.results, "Live").empty())
+    pictures.push_back("<figure class=\"picture\">" + inlined(draw_live_drive().animation.svg, "live-") + "</figure>");
   return pictures;
 }
 

@@ -23,8 +23,12 @@ class Canvas {
   void circle(const Vec2& center, double radius, std::string_view color, std::string_view dash = {});
   void text(const Vec2& p, std::string_view text, std::string_view anchor = "middle",
             std::string_view color = "#1d2126");
+  /// An element of the caller's own, in pixels with y down: see `at`.
+  void element(std::string_view text) { body_ += text; }
   /// A point as the text "x,y " in pixels, of which `polygon` and `curve` take several in a row.
   [[nodiscard]] std::string at(const Vec2& p) const;
+  /// A point in pixels, y down.
+  [[nodiscard]] Vec2 pixels(const Vec2& p) const { return place(p); }
   /// The drawing as SVG.
   [[nodiscard]] std::string str(std::string_view title, std::string_view caption) const;
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "arcway/backend.h"
 #include "arcway/planner.h"
 
 namespace arcway::internal::figures {
@@ -25,6 +27,15 @@ Figure feasible_graph_and_motion(const Planner& planner, const PlanResult& plan)
 
 /// The vehicles of bench::vehicles_of_other_outlines() side by side, with what they sweep in their tightest turns.
 Figure vehicle_gallery();
+
+/// A drive through a map in which obstacles walk about, vanish and come back: as an animation of SVG elements alone,
+/// and as a row of moments. The plans have no time limit, so that the figures depend on nothing but their backend's
+/// answers.
+/// @param make_backend  one that can be changed.
+struct LiveFigures {
+  Figure animation, moments;
+};
+LiveFigures live_drive(const std::function<Backend(const World&)>& make_backend);
 
 /// A number with a fixed count of digits after the point.
 std::string digits(double value, int count);

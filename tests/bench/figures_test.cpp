@@ -2,10 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "arcway/datasets/paper_example.h"
 #include "bench/robots.h"
+#ifdef ARCWAY_WITH_ACCEL
+#include "arcway/accel/accel_backend.h"
+#endif
 
 namespace arcway::internal::figures {
 namespace {
@@ -44,6 +52,39 @@ TEST(Figures, DrawTheSweptAreaOfPolygons) {
   const double exact = tractor.swept_annulus(Side::kLeft, radius).width();
   EXPECT_NE(figure.caption.find("w_s = " + digits(exact, 2)), std::string::npos) << figure.caption;
   EXPECT_NE(digits(exact, 2), digits(swept_annulus(tractor.footprint(), Side::kLeft, radius).width(), 2));
+}
+
+// Values of all animations of an element.
+std::vector<std::size_t> value_counts(const std::string& svg, std::string_view animation) {
+  std::vector<std::size_t> counts;
+  for (std::size_t at = svg.find(animation); at != std::string::npos; at = svg.find(animation, at + 1)) {
+    const std::size_t from = svg.find("values=\"", at) + 8, to = svg.find('"', from);
+    counts.push_back(1 + static_cast<std::size_t>(std::count(svg.begin() + static_cast<std::ptrdiff_t>(from),
+                                                             svg.begin() + static_cast<std::ptrdiff_t>(to), ';')));
+  }
+  return counts;
+}
+
+TEST(Figures, AnimateADriveByElementsOfSvgAlone) {
+#ifdef ARCWAY_WITH_ACCEL
+  const auto make_backend = [](const World& world) { return accel_backend(world, kSerialExecutor); };
+#else
+  const auto make_backend = [](const World& world) { return reference_backend(world); };
+#endif
+  const LiveFigures live = live_drive(make_backend);
+  EXPECT_EQ(live.animation.name, "live");
+  EXPECT_EQ(live.moments.name, "live_moments");
+  const std::string& svg = live.animation.svg;
+  for (const char* refused : {"<script", "href", "url(", "nan", "inf"})
+    EXPECT_EQ(svg.find(refused), std::string::npos) << refused;
+  // A value a cycle; what glides ends with one more.
+  for (const std::size_t count : value_counts(svg, "<animate ")) EXPECT_EQ(count, 150U);
+  const std::vector<std::size_t> gliding = value_counts(svg, "<animateTransform ");
+  for (const std::size_t count : gliding) EXPECT_EQ(count, 151U);
+  EXPECT_GT(gliding.size(), 3U);  // the vehicle takes two
+  EXPECT_NE(svg.find("opacity\" dur"), std::string::npos);
+  EXPECT_EQ(live.moments.svg.find("<animate"), std::string::npos);
+  EXPECT_EQ(live_drive(make_backend).animation.svg, svg);
 }
 
 }  // namespace
