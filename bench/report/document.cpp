@@ -13,6 +13,7 @@
 #include "bench/report/findings.h"
 #include "bench/report/first_page.h"
 #include "bench/report/least_queries.h"
+#include "bench/report/live_section.h"
 #include "bench/report/map_sections.h"
 #include "bench/report/markup.h"
 #include "bench/report/noise.h"
@@ -165,7 +166,7 @@ std::string changes_sentence(const Section& changes, const std::string& before) 
 }
 
 /// Stages with a section of their own, which has what their measurements count.
-constexpr std::string_view kToldStages[] = {"Ablation", "Quality", "QualityBody", "Radii", "RealMap"};
+constexpr std::string_view kToldStages[] = {"Ablation", "Live", "Quality", "QualityBody", "Radii", "RealMap"};
 
 /// What is no part of a series: a section a stage.
 std::vector<Section> single_sections(const Results& results, const std::vector<Study>& studies) {
@@ -307,6 +308,7 @@ std::vector<Section> sections_of(const Inputs& inputs, const std::vector<Study>&
     add(vehicles_section(results, studies), false);
   }
   add(cost_section(studies), false);
+  add(live_section(results), false);
   if (inputs.peers) add(claims_section(*inputs.peers), false);
   add(citation_section(results), false);
   add(quality_section(results), true);

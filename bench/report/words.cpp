@@ -24,6 +24,7 @@ constexpr Words kStages[] = {
     {"FirstPlan", "The README's own lines"},
     {"FullGraph", "Full visibility graph"},
     {"LinesOfSight", "Lines of sight"},
+    {"Live", "A drive through a map that changes"},
     {"LoadMap", "Reading and checking a map"},
     {"PairwiseThreads", "Visibility graph by pairs of obstacles, on threads"},
     {"PathClearance", "Clearance along a path"},
@@ -59,6 +60,7 @@ constexpr Words kStages[] = {
 constexpr Words kKeys[] = {
     {"cells", "number of grid cells"},
     {"fill_percent", "percent of the map that obstacles cover"},
+    {"hertz", "cycles a second"},
     {"moved", "number of moved obstacles"},
     {"obstacles", "number of obstacles"},
     {"percent_of_side", "distance, in percent of the map's side"},
