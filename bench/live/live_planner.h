@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <utility>
 
 #include "arcway/backend.h"
 #include "arcway/planner.h"

@@ -1,7 +1,9 @@
 #include "bench/live/walking_obstacles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/map_file.h"

@@ -168,7 +168,7 @@ void add(Study study) {
   for (const auto& [name, make] : all_planners())
     for (const double rate : {10.0, 50.0})
       add_benchmark("Live/amr/" + name + "/hertz:" + std::to_string(static_cast<int>(rate)),
-                    [world, make, rate, cycles](benchmark::State& state) {
+                    [world, make = make, rate, cycles](benchmark::State& state) {
                       const Route route(real_vehicles().front(), world);
                       if (!require_once(
                               state, "Live/" + world, [&] { return agree(route); },
