@@ -122,6 +122,18 @@ bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const
   return result.join() && result.is_forwards();
 }
 
+PathSegment segment_of(const ArcChain& chain, std::size_t part) {
+  const std::size_t i = part / 2;
+  const ArcChain::Line& line = chain.lines[i];
+  const Vec2 left = perpendicular(direction_of(line.heading));
+  const Vec2 begin = chain.before(i) - chain.sideways(i) * left;
+  const Pose at_line{begin.x(), begin.y(), line.heading};
+  if (part % 2 == 0) return {at_line, line.length, 0.0};
+  const ArcChain::Arc& arc = chain.arcs[i];
+  const Vec2 place = arc.center - arc.sign * arc.radius * left;
+  return {{place.x(), place.y(), line.heading}, arc.radius * chain.turn(i), arc.sign / arc.radius};
+}
+
 void circles_of(const ArcChain& arcs, CircleChain& result) {
   result.start = arcs.start;
   result.goal = arcs.goal;

@@ -60,6 +60,9 @@ struct TurnCuts {
 /// @return false if the chain has no line that is long enough to give way, or a part is driven backwards.
 bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const TurnCuts& cuts, ArcChain& result);
 
+/// A part of a chain as a motion: line i is part 2 i, arc i is part 2 i + 1.
+PathSegment segment_of(const ArcChain& chain, std::size_t part);
+
 /// The circles of a chain of arcs. Arcs that touch do so up to rounding, and neighbors of one radius become one.
 void circles_of(const ArcChain& arcs, CircleChain& result);
 

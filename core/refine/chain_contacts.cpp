@@ -92,9 +92,9 @@ ChainContacts::Place ChainContacts::look_from_line(const ArcChain& chain, const 
   const Vec2 d = corner.place - line.center;
   const double x = line.ahead.dot(d), y = corner.sign * (line.left.dot(d) + line.sideways);
   // A corner wholly on the other side is not overlapped.
-  const double near = beside(corner.sign), far = beside(-corner.sign);
+  const double near = beside(corner.sign, part), far = beside(-corner.sign, part);
   const double abeam = -y > far ? -y - far : y - near;
-  const double ahead = x - line.length - body_.front, behind = -x - body_.rear;
+  const double ahead = x - line.length - front(part), behind = -x - rear(part);
   const double most = std::max({abeam, ahead, behind});
   return {part, most == abeam ? kBeside : most == ahead ? kAhead : kBehind, most};
 }
@@ -110,16 +110,16 @@ ChainContacts::Place ChainContacts::look_from_arc(const ArcChain& chain, const C
   const auto nearer = [&place, part](double distance, Kind kind) {
     if (distance < place.distance) place = {part, kind, distance};
   };
-  const double off = r - arc.radius, inwards = beside(arc.sign);
-  const bool is_abeam = off > -inwards && off < beside(-arc.sign);
+  const double off = r - arc.radius, inwards = beside(arc.sign, part);
+  const bool is_abeam = off > -inwards && off < beside(-arc.sign, part);
   const bool is_inside = is_abeam ? corner.sign == arc.sign : off <= -inwards;
   if (is_inside && arc.radius > inwards) {  // else the body covers the center, and leaves no room inside
     if (passes(chain, i, d, 0.0, 1.0)) nearer(arc.radius - r - inwards, kInside);
     return place;
   }
-  const double outwards = outwards_on(arc);
-  if (passes(chain, i, d, body_.front, outwards)) nearer(r - norm_of(body_.front, outwards), kFrontCorner);
-  if (passes(chain, i, d, -body_.rear, outwards)) nearer(r - norm_of(body_.rear, outwards), kRearCorner);
+  const double outwards = outwards_on(chain, i);
+  if (passes(chain, i, d, front(part), outwards)) nearer(r - norm_of(front(part), outwards), kFrontCorner);
+  if (passes(chain, i, d, -rear(part), outwards)) nearer(r - norm_of(rear(part), outwards), kRearCorner);
   return place;
 }
 
@@ -148,7 +148,7 @@ ChainContacts::Place ChainContacts::look_at(const ArcChain& chain, const Edge& e
   const std::size_t i = edge.arc;
   const ArcChain::Arc& arc = chain.arcs[i];
   const std::uint32_t part = 2 * edge.arc + 1;
-  const double outwards = outwards_on(arc);
+  const double outwards = outwards_on(chain, i);
   Place nearest{part, kNothing, kInfinity};
   const auto look = [&](const Vec2& corner, Kind kind) {
     const double along = edge.along.dot(corner - edge.from), distance = edge.outwards.dot(corner - edge.from);
@@ -186,7 +186,7 @@ double ChainContacts::room(const ArcChain& chain, std::size_t contact, double ne
   if (contact < corners_.size()) return 0.0;
   const Edge& edge = edges_[contact - corners_.size()];
   const ArcChain::Arc& arc = chain.arcs[edge.arc];
-  const double outwards = outwards_on(arc), swing = norm_of(edge.ahead, outwards);
+  const double outwards = outwards_on(chain, edge.arc), swing = norm_of(edge.ahead, outwards);
   const double turn = chain.turn(edge.arc);
   const double half = turn < kBentTurn ? 0.5 * swing * turn : kInfinity;
   const Vec2 heading = (chain.lines[edge.arc].ahead + chain.lines[edge.arc + 1].ahead).normalized();
@@ -211,7 +211,8 @@ Term ChainContacts::line_term(const ArcChain& chain, const Corner& corner, const
   const double x = line.ahead.dot(d), y = line.left.dot(d);
   const bool is_beside = place.kind == kBeside;
   double sign = place.kind == kBehind ? -1.0 : 1.0;
-  if (is_beside) sign = corner.sign * (corner.sign * (y + line.sideways) < -beside(-corner.sign) ? -1.0 : 1.0);
+  if (is_beside)
+    sign = corner.sign * (corner.sign * (y + line.sideways) < -beside(-corner.sign, place.part) ? -1.0 : 1.0);
   // The direction away from the body, and how it turns with the heading.
   const Vec2 away = sign * (is_beside ? line.left : line.ahead);
   const Vec2 turned = perpendicular(away);
@@ -252,14 +253,15 @@ Term ChainContacts::arc_term(const ArcChain& chain, const Corner& corner, const 
   if (place.kind == kInside) {
     term.gradient[kRadius] = 1.0;
   } else {
-    set_swing(place.kind == kFrontCorner ? body_.front : body_.rear, outwards_on(arc), term);
+    set_swing(place.kind == kFrontCorner ? front(place.part) : rear(place.part), outwards_on(chain, place.index()),
+              term);
   }
   return term;
 }
 
 Term ChainContacts::edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const {
   const ArcChain::Arc& arc = chain.arcs[edge.arc];
-  const double outwards = outwards_on(arc);
+  const double outwards = outwards_on(chain, edge.arc);
   Term term;
   term.value = place.distance;
   term.gradient.segment<2>(kCenterX) = edge.outwards;
@@ -278,13 +280,15 @@ Term ChainContacts::edge_term(const ArcChain& chain, const Edge& edge, const Pla
   return term;
 }
 
-void ChainContacts::find(const ArcChain& chain, const World& world, const Outlines& outlines, const Footprint& body,
+void ChainContacts::find(const ArcChain& chain, const World& world, const Outlines& outlines, const Bodies& bodies,
                          double reach) {
-  body_ = body;
+  body_ = bodies.body;
   corners_.clear();
   edges_.clear();
   sights_.clear();
   const auto parts = static_cast<std::uint32_t>(2 * chain.arcs.size() + 1);
+  growths_.assign(parts, 0.0);
+  std::ranges::copy(bodies.growths, growths_.begin());
   for (std::uint32_t part = 0; part < parts; ++part) find_near(chain, part, world, outlines, reach);
   std::ranges::sort(sights_, {}, [](const Sight& s) { return std::pair(s.vertex, s.part); });
   for (std::size_t first = 0; first < sights_.size();) {
@@ -340,7 +344,7 @@ void ChainContacts::add_edges(const ArcChain& chain, std::uint32_t arc, const Wo
   const Vec2 &from = world.vertex(vertex), &to = world.vertex(world.next(vertex));
   const double length = (to - from).norm();
   const Vec2 along = (to - from) / length;
-  for (const double ahead : {body_.front, -body_.rear}) {
+  for (const double ahead : {front(2 * arc + 1), -rear(2 * arc + 1)}) {
     const Edge edge{from, along, -perpendicular(along), length, arc, ahead};
     const Place place = look_at(chain, edge);
     if (place.kind == kNothing || (place.distance >= 0.0 && place.distance < reach)) edges_.push_back(edge);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "arcway/vehicle.h"
@@ -27,8 +28,14 @@ class ChainContacts {
     [[nodiscard]] std::size_t index() const { return part / 2; }  ///< of the line or arc
   };
 
+  /// The body on each part of a path: a rectangle, and how far it is grown on some parts.
+  struct Bodies {
+    Bodies(const Footprint& b, std::span<const double> g = {}) : body(b), growths(g) {}
+    Footprint body;
+    std::span<const double> growths;  ///< by part [m]; empty: none
+  };
   /// Finds all contacts of a free chain within a distance.
-  void find(const ArcChain& chain, const World& world, const Outlines& outlines, const Footprint& body, double reach);
+  void find(const ArcChain& chain, const World& world, const Outlines& outlines, const Bodies& bodies, double reach);
 
   [[nodiscard]] std::size_t size() const { return corners_.size() + edges_.size(); }
   /// The least distance of a contact.
@@ -75,12 +82,19 @@ class ChainContacts {
   [[nodiscard]] Term edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const;
   [[nodiscard]] bool is_seen(const Place& place) const;
   [[nodiscard]] double body_length() const { return body_.length(); }
-  // How far the body reaches to the left, by a sign of +1, or to the right.
-  [[nodiscard]] double beside(double sign) const { return sign > 0.0 ? body_.left : body_.right; }
+  // How far the body on a part reaches to the left, by a sign of +1, or to the right; ahead and behind.
+  [[nodiscard]] double beside(double sign, std::uint32_t part) const {
+    return (sign > 0.0 ? body_.left : body_.right) + growths_[part];
+  }
+  [[nodiscard]] double front(std::uint32_t part) const { return body_.front + growths_[part]; }
+  [[nodiscard]] double rear(std::uint32_t part) const { return body_.rear + growths_[part]; }
   // How far its outer side lies from the center of an arc.
-  [[nodiscard]] double outwards_on(const ArcChain::Arc& arc) const { return arc.radius + beside(-arc.sign); }
+  [[nodiscard]] double outwards_on(const ArcChain& chain, std::size_t arc) const {
+    return chain.arcs[arc].radius + beside(-chain.arcs[arc].sign, static_cast<std::uint32_t>(2 * arc + 1));
+  }
 
   Footprint body_{};
+  std::vector<double> growths_;  // by part [m]
   std::vector<Corner> corners_;
   std::vector<Edge> edges_;
   std::vector<Sight> sights_;

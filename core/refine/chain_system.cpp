@@ -19,14 +19,14 @@ constexpr double kPush = 1e4, kFree = 2e-4, kLeastShare = 1e-3;
 
 }  // namespace
 
-void ChainSystem::begin(const Vehicle& vehicle, const Footprint& body, const World& world, const Outlines& outlines,
-                        double reach) {
+void ChainSystem::begin(const Vehicle& vehicle, const ChainContacts::Bodies& bodies, const World& world,
+                        const Outlines& outlines, double reach) {
   speeds = speeds_of(vehicle);
   tightest = SideRadii(vehicle);
-  unit = body.length();
+  unit = bodies.body.length();
   place_speeds();
   find_bounds(chain, speeds, bounds);
-  contacts.find(chain, world, outlines, body, reach);
+  contacts.find(chain, world, outlines, bodies, reach);
   unknowns.number(chain, tightest.smaller());
   tensions.assign(chain.lines.size(), Vec2::Zero());
 }

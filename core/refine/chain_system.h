@@ -34,8 +34,9 @@ struct ChainSystem {
   std::vector<Vec2> tensions;       ///< of lines
 
   /// Begins with `chain`, whose arcs and lines are placed.
-  /// @param body  that keeps off the obstacles, and how far from the path these are looked for [m].
-  void begin(const Vehicle& vehicle, const Footprint& body, const World& world, const Outlines& outlines, double reach);
+  /// @param bodies  that keep off the obstacles, and how far from the path these are looked for [m].
+  void begin(const Vehicle& vehicle, const ChainContacts::Bodies& bodies, const World& world, const Outlines& outlines,
+             double reach);
 
   /// Numbers of the unknowns of the arc or line of a contact.
   [[nodiscard]] const Numbers& numbers_at(const ChainContacts::Place& place) const {

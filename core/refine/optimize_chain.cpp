@@ -19,6 +19,8 @@ constexpr double kNearContact = 0.7;  // distance within which a contact is a co
 constexpr double kUnseen = 0.1;       // movement after which a contact that nothing can touch is looked at again
 constexpr double kLeastSlack = 1e-3;  // least slack of a constraint at first
 constexpr double kOverlap = 3e-4;     // largest overlap of an optimal chain
+// Length that a part may drive close to obstacles and still counts as one that keeps the preferred distance.
+constexpr double kGrazing = 0.25;
 // The barrier falls after steps of nearly full length and of half their length, and rises after very short ones.
 constexpr double kFullStep = 0.9, kHalfStep = 0.5, kShortStep = 0.05;
 constexpr double kFall = 0.3, kSlowFall = 0.6, kRise = 4.0;
@@ -58,6 +60,7 @@ struct ChainOptimizer::Memory {
   std::vector<Row> rows, next_rows;  // of all bounds and of near contacts
   std::vector<double> clear_until;   // movement of the chain until which each contact is far off
   std::vector<double> gradient, correction, uncorrected;
+  std::vector<double> growths;  // of the body, by part of the chain [m]
 };
 
 namespace {
@@ -73,7 +76,8 @@ class InteriorPoint {
         tensions_(memory.system.tensions),
         gradient_(memory.gradient),
         correction_(memory.correction),
-        uncorrected_(memory.uncorrected) {}
+        uncorrected_(memory.uncorrected),
+        growths_(memory.growths) {}
 
   ChainOptimizer::Result run(CircleChain& optimized) {
     const Vehicle& vehicle = query_.vehicle;
@@ -83,7 +87,8 @@ class InteriorPoint {
     chain().entry = query_.ends.start * query_.ends.start;
     chain().exit = query_.ends.goal * query_.ends.goal;
     const double unit = vehicle.footprint().length();
-    system_.begin(vehicle, vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), query_.world,
+    find_growths();
+    system_.begin(vehicle, {vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), growths_}, query_.world,
                   query_.outlines, kReach * unit);
     begin_barrier();
     int iterations = 0;
@@ -105,6 +110,19 @@ class InteriorPoint {
   [[nodiscard]] ArcChain& chain() { return system_.chain; }
   [[nodiscard]] const ArcChain& chain() const { return system_.chain; }
   [[nodiscard]] std::size_t bounds() const { return system_.bounds.size(); }
+
+  // Parts that keep the preferred distance, or nearly so, need a body grown by that.
+  void find_growths() {
+    growths_.clear();
+    if (query_.clearance == nullptr) return;
+    const double distance = query_.clearance->preference().distance;
+    const double growth = std::max(0.0, distance - 0.5 * query_.vehicle.safety_margin());
+    for (std::uint32_t part = 0; part < 2 * chain().arcs.size() + 1; ++part) {
+      const PathSegment segment = segment_of(chain(), part);
+      const double close = query_.clearance->close_length(segment);
+      growths_.push_back(close > kGrazing * query_.vehicle.footprint().length() ? 0.0 : growth);
+    }
+  }
 
   void begin_barrier() {
     const double time = time_of(chain());
@@ -364,7 +382,7 @@ class InteriorPoint {
   std::vector<Row>&rows_, &next_rows_;
   std::vector<double>& clear_until_;
   std::vector<Vec2>& tensions_;
-  std::vector<double>&gradient_, &correction_, &uncorrected_;
+  std::vector<double>&gradient_, &correction_, &uncorrected_, &growths_;
   double time_ = 0.0;  // of the chain, at its speeds [s]
   double barrier_ = 0.0, first_barrier_ = 0.0, last_barrier_ = 0.0;
   double damping_ = kFirstDamping;

@@ -6,6 +6,7 @@
 #include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
+#include "core/collision/clearance_cost.h"
 #include "core/model/outlines.h"
 #include "core/motion/end_speeds.h"
 #include "core/refine/circle_chain.h"
@@ -30,6 +31,8 @@ struct ChainQuery {
   ChainEffort effort;
   StopClock clock = {};  ///< asked before each iteration
   EndSpeeds ends = {};   ///< of the path
+  /// What driving close to obstacles costs; may be null. Parts of the chain that keep the preferred distance keep it.
+  const ClearanceCost* clearance = nullptr;
 };
 
 /// Makes a chain of turns faster by a primal-dual interior-point method. Each turn is driven in several arcs, whose

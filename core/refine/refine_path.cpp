@@ -75,6 +75,7 @@ class Refiner {
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         smallest_radii_(query.vehicle),
         smallest_(smallest_radii_.smaller()),
+        cost_(result.travel_time + clearance_cost(query.clearance_cost, query.path)),
         chain_(memory.chain),
         radii_(memory.radii),
         stations_(memory.stations),
@@ -87,7 +88,7 @@ class Refiner {
     // A radius is known by its curvature alone, and may come out too small by rounding.
     for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_on(circle.side));
     chain.place_ends();
-    if (!chain_.begin(chain, vehicle_, query_.ends, query_.speed_zones)) return;
+    if (!chain_.begin(chain, vehicle_, query_.ends, query_.speed_zones, query_.clearance_cost)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
     least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_, false, query_.ends);
     radii_.clear();
@@ -95,10 +96,10 @@ class Refiner {
       radii_.push_back(r);
     if (query_.outlines != nullptr && ChainOptimizer::serves(vehicle_) && optimize()) return;
     for (int i = 0; i < kMostSettled && !done(); ++i) {
-      const double before = result_.travel_time;
+      const double before = cost_;
       settle();
       while (!done() && take_first(Stage::kEscape)) settle();
-      if (result_.travel_time > (1.0 - kWorthSettling) * before) break;
+      if (cost_ > (1.0 - kWorthSettling) * before) break;
     }
     take_all(Stage::kFinish);
   }
@@ -117,13 +118,13 @@ class Refiner {
   bool optimize_at_length() {
     bool any = false;
     for (int round = 0; round < kMostRounds && !done(); ++round) {
-      const double before = result_.travel_time;
+      const double before = cost_;
       most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsBetween);
       simplify();
       most_trials_ = options_.max_trials;
       if (!take_all(Stage::kOptimizeAtLength)) break;
       any = true;
-      if (result_.travel_time > (1.0 - kWorthRound) * before) break;
+      if (cost_ > (1.0 - kWorthRound) * before) break;
     }
     if (any && may_leave_optimum()) leave_optimum();
     // Where optimizing fails, the turns have mostly been optimized before.
@@ -134,17 +135,17 @@ class Refiner {
   // Where turns are slower than lines however wide they are, leaving one out is a jump.
   [[nodiscard]] bool may_leave_optimum() const {
     return vehicle_.turn_speed(kInfinity) < vehicle_.max_speed() ||
-           result_.travel_time > kFarFromBound * std::max(query_.lower_bound, least_time_);
+           cost_ > kFarFromBound * std::max(query_.lower_bound, least_time_);
   }
 
   // Tries the moves that change the order of turns, and optimizes again where they help.
   void leave_optimum() {
-    const double before = result_.travel_time;
+    const double before = cost_;
     most_trials_ = std::min<std::uint64_t>(options_.max_trials, result_.trials + kTrialsInVain);
     settle();
     while (!done() && take_first(Stage::kEscape)) settle();
     most_trials_ = options_.max_trials;
-    if (result_.travel_time < (1.0 - kWorthRound) * before) take_all(Stage::kOptimizeAtLength);
+    if (cost_ < (1.0 - kWorthRound) * before) take_all(Stage::kOptimizeAtLength);
   }
 
   void simplify() {
@@ -194,7 +195,7 @@ class Refiner {
   [[nodiscard]] const std::vector<TurnCircle>& circles() const { return chain_.chain().circles; }
   [[nodiscard]] const std::vector<Bitangent>& lines() const { return chain_.lines(); }
 
-  // Takes a change if it makes the path faster and the path stays free.
+  // Takes a change if it makes the path cheaper and the path stays free.
   bool accept(const ChainChange& change) {
     if (done() || change.size_after(circles().size()) < 2 || change.lead_in < 0.0 || change.lead_out < 0.0)
       return false;
@@ -202,19 +203,20 @@ class Refiner {
       if (change.circles[i].radius < smallest_on(change.circles[i].side)) return false;
     ++result_.trials;
     if (!chain_.lay_out(change)) return false;
-    const double wanted = result_.travel_time * (1.0 - kSmallestGain);
-    if (chain_.time_after(change) > wanted * (1.0 + kTimeSlack) || !are_free(chain_.laid_out())) return false;
-    if (!chain_.make(change) || !is_made_faster()) return false;
+    const double enough = cost_ * (1.0 - kSmallestGain) * (1.0 + kTimeSlack);
+    if (chain_.cost_after(change, enough) > enough || !are_free(chain_.laid_out())) return false;
+    if (!chain_.make(change) || !is_made_cheaper()) return false;
     take_made();
     return true;
   }
   // A turn that falls short of a full circle by next to nothing counts as none, see turn_between. Such a path misses a
   // goal closely behind the start, and is faster than any path can be.
-  [[nodiscard]] bool is_made_faster() const {
-    return chain_.made_time() < result_.travel_time * (1.0 - kSmallestGain) && chain_.made_time() >= least_time_;
+  [[nodiscard]] bool is_made_cheaper() const {
+    return chain_.made_cost() < cost_ * (1.0 - kSmallestGain) && chain_.made_time() >= least_time_;
   }
   void take_made() {
     result_.path = chain_.made_path();
+    cost_ = chain_.made_cost();
     result_.travel_time = chain_.made_time();
     chain_.take();
     ++result_.improvements;
@@ -262,10 +264,12 @@ class Refiner {
     ChainEffort effort = move.effort;
     effort.iterations = static_cast<int>(
         std::min<std::uint64_t>(static_cast<std::uint64_t>(effort.iterations), most_trials_ - result_.trials));
-    const auto [is_optimized, iterations] = optimizer_.optimize(
-        {chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_, query_.ends}, optimized_);
+    const auto [is_optimized, iterations] =
+        optimizer_.optimize({chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_,
+                             query_.ends, query_.clearance_cost},
+                            optimized_);
     result_.trials += static_cast<std::uint64_t>(iterations);
-    if (!is_optimized || !chain_.make(optimized_) || !is_made_faster() || !are_free(chain_.made_path())) return false;
+    if (!is_optimized || !chain_.make(optimized_) || !is_made_cheaper() || !are_free(chain_.made_path())) return false;
     take_made();
     return true;
   }
@@ -390,11 +394,13 @@ class Refiner {
   }
 
   bool insert_word(const Station& from, const Station& to) {
+    const double saved = chain_.end_of(to.line).clearance_cost - chain_.begin_of(from.line).clearance_cost;  // at most
+    const double budget = to.time - from.time + saved;
     // Most pairs are told from the distance alone.
     const double distance = (to.pose.position() - from.pose.position()).norm();
     const double least = std::max(distance / vehicle_.max_speed(), time_between(distance, from.speed, to.speed));
-    if (least > (to.time - from.time) * (1.0 + kTimeSlack)) return false;
-    const double longest = (to.time - from.time) * (1.0 + kTimeSlack) * vehicle_.max_speed();  // line of a word
+    if (least > budget * (1.0 + kTimeSlack)) return false;
+    const double longest = budget * (1.0 + kTimeSlack) * vehicle_.max_speed();  // line of a word
     for (const double radius : radii_)
       for (const Side departure : {Side::kLeft, Side::kRight})
         for (const Side arrival : {Side::kLeft, Side::kRight}) {
@@ -411,7 +417,7 @@ class Refiner {
           const auto [turns, time] = turns_of(r0, turn0, r1, turn1);
           const double fastest = line->length / vehicle_.max_speed() + time;
           const double straight = time_between(line->length + turns, from.speed, to.speed);
-          if (std::max(fastest, straight) >= to.time - from.time) continue;
+          if (std::max(fastest, straight) >= budget) continue;
           ChainChange change = replaced(chain_.chain(), from.line, to.line, {first, second});
           if (from.line == 0) change.lead_in *= from.part;
           if (to.line + 1 == lines().size()) change.lead_out *= 1.0 - to.part;
@@ -542,6 +548,7 @@ class Refiner {
   Body body_;
   SideRadii smallest_radii_;
   double smallest_;          // the smaller one of these [m]
+  double cost_;              // of the path: its travel time, plus that of driving close to obstacles [s]
   double least_time_ = 0.0;  // lower bound of the time of all paths [s]
   std::uint32_t iterations_ = 0;
   TimedChain& chain_;

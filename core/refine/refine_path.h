@@ -9,6 +9,7 @@
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
+#include "core/collision/clearance_cost.h"
 #include "core/model/outlines.h"
 #include "core/motion/end_speeds.h"
 #include "core/zones/speed_zones.h"
@@ -23,7 +24,7 @@ struct RefinedPath {
   Path path;
   double travel_time = 0.0;             ///< of `path`, by speed_profile [s]
   std::uint64_t trials = 0;             ///< paths whose travel time was computed
-  std::uint64_t improvements = 0;       ///< trials that were accepted: faster and free
+  std::uint64_t improvements = 0;       ///< trials that were accepted: cheaper and free
   std::uint64_t straights_checked = 0;  ///< swept rectangles decided
   std::uint64_t turns_checked = 0;      ///< heading sets computed
   bool interrupted = false;             ///< the clock ended it: more trials might have made the path faster
@@ -45,7 +46,8 @@ struct RefineQuery {
   bool at_length = false;    ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
   EndSpeeds ends = {};       ///< of the path, which stay as they are
   double lower_bound = 0.0;  ///< on the time of all paths between the poses, as far as it is known [s]
-  const SpeedZones* speed_zones = nullptr;  ///< of the world; null: none
+  const SpeedZones* speed_zones = nullptr;        ///< of the world; null: none
+  const ClearanceCost* clearance_cost = nullptr;  ///< of driving close to obstacles; null: time alone counts
   /// As `sweep`, where motions that are described as driven forwards are driven backwards; null: gears do not differ.
   const SweepQuery* sweep_backwards = nullptr;
 };
@@ -59,9 +61,10 @@ struct RefineQuery {
 /// - centers and radii slide, by steps that are halved down to the smallest.
 /// For vehicles that ChainOptimizer serves, the first three and rough slides are tried first, then all turns are
 /// optimized at once. The other changes follow only where that fails, or leaves a best path far from its bound.
-/// A change is accepted only if the travel time under the speed profile falls, and the swept area of the body grown by
-/// half of the safety margin is free by `sweep`. The result is therefore as free as the input and never slower. It is a
-/// local optimum of these changes, not the fastest path. A path that turns on fewer than two circles is returned as it
+/// A change is accepted only if the cost falls, and the swept area of the body grown by half of the safety margin is
+/// free by `sweep`. The cost is the travel time under the speed profile, plus that of driving close to obstacles. The
+/// result is therefore as free as the input and never costs more. It is a local optimum of these changes, not the
+/// cheapest path. A path that turns on fewer than two circles is returned as it
 /// is. So is one that cannot be driven between its end speeds.
 /// Deterministic unless stopped. Keeps its memory for the next path, and that of `result`; one path at a time.
 class PathRefiner {

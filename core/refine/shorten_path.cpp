@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array kRadii{1.0, 2.0, 4.0};          // radii of Dubins words, in smallest turning radii
 constexpr std::array kTangentRatios{1.0, 0.5, 2.0};  // ratios of the tangent lengths of biarcs
-constexpr double kSmallestSaving = 1e-4;             // share of the travel time that a change must save
+constexpr double kSmallestSaving = 1e-4;             // share of the cost that a change must save
 
 class Shortener {
  public:
@@ -31,7 +31,7 @@ class Shortener {
         trials_left_(max_trials),
         clock_(clock),
         limits_(limits) {
-    time_ = time_of(path_);
+    cost_ = cost_of(path_);
   }
 
   Path run() {
@@ -56,7 +56,9 @@ class Shortener {
 
   [[nodiscard]] bool done() const { return trials_left_ == 0 || clock_.is_over(); }
 
-  double time_of(const Path& path) { return travel_time(path, vehicle_, limits_.ends, profile_, limits_.zones); }
+  double cost_of(const Path& path) {
+    return travel_time(path, vehicle_, limits_.ends, profile_, limits_.zones) + clearance_cost(limits_.clearance, path);
+  }
 
   void find_places() {
     places_.clear();
@@ -96,10 +98,10 @@ class Shortener {
     shorter_.insert(shorter_.end(), between.begin(), between.end());
     if (to.along < last.length) shorter_.push_back({to.pose, last.length - to.along, last.curvature});
     shorter_.insert(shorter_.end(), path_.begin() + static_cast<std::ptrdiff_t>(to.segment) + 1, path_.end());
-    const double time = time_of(shorter_);
-    if (!(time < (1.0 - kSmallestSaving) * time_) || !motion_free(sweep_, body_, between)) return false;
+    const double cost = cost_of(shorter_);
+    if (!(cost < (1.0 - kSmallestSaving) * cost_) || !motion_free(sweep_, body_, between)) return false;
     path_ = merged(shorter_);
-    time_ = time;
+    cost_ = cost;
     return true;
   }
 
@@ -110,7 +112,7 @@ class Shortener {
   std::size_t trials_left_;
   const StopClock& clock_;
   PathLimits limits_;
-  double time_ = 0.0;
+  double cost_ = 0.0;
   std::vector<Place> places_;
   SpeedProfile profile_;
 };

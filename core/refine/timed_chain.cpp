@@ -21,9 +21,10 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
   return change;
 }
 
-bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends,
-                       const SpeedZones* zones) {
+bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends, const SpeedZones* zones,
+                       const ClearanceCost* clearance) {
   zones_ = zones;
+  clearance_ = clearance;
   vehicle_ = &vehicle;
   ends_ = ends;
   if (!make(chain)) return false;
@@ -34,6 +35,7 @@ bool TimedChain::begin(const CircleChain& chain, const Vehicle& vehicle, const E
 bool TimedChain::complete(State& state) const {
   if (!lines_of(state.chain, state.lines)) return false;
   path_of(state.chain, state.lines, state.path);
+  state.clearance_cost = clearance_cost(clearance_, state.path);
   return travel_time(state.path, *vehicle_, ends_, state.profile, zones_) < kInfinity;
 }
 
@@ -77,11 +79,15 @@ void TimedChain::time_parts() {
   }
 
   passings_.clear();
-  Passing at{0.0, ends_.start};
+  Passing at{0.0, ends_.start, 0.0};
   std::size_t segment = 0;
-  for (const Stretch& stretch : stretches_) {
+  for (Stretch& stretch : stretches_) {
     passings_.push_back(at);
     if (!(stretch.length > 0.0)) continue;
+    if (clearance_ != nullptr) {
+      stretch.clearance_cost = clearance_->of(now_.path[segment]);
+      at.clearance_cost += stretch.clearance_cost;
+    }
     at.time += now_.profile.durations[segment++];
     at.speed = now_.profile.speeds[segment];
   }
@@ -154,10 +160,27 @@ bool TimedChain::lay_out(const ChainChange& change) {
   return true;
 }
 
+TimedChain::Affected TimedChain::affected_by(const ChainChange& change) const {
+  return {change.first == 0 ? 0 : 2 * (change.first - 1),
+          change.last == now_.chain.circles.size() ? stretches_.size() - 1 : 2 * (change.last + 1)};
+}
+
+double TimedChain::cost_after(const ChainChange& change, double enough) {
+  double cost = time_after(change);
+  if (clearance_ == nullptr) return cost;
+  const auto [first, last] = affected_by(change);
+  for (std::size_t i = 0; i < stretches_.size(); ++i)
+    if (i < first || i > last) cost += stretches_[i].clearance_cost;
+  for (const Part& part : laid_out_) {
+    if (cost >= enough) break;
+    cost += clearance_->of(part.segment());
+  }
+  return cost;
+}
+
 double TimedChain::time_after(const ChainChange& change) {
-  const std::size_t first = change.first == 0 ? 0 : 2 * (change.first - 1);
+  const auto [first, last] = affected_by(change);
   const std::size_t end = stretches_.size() - 1;
-  const std::size_t last = change.last == now_.chain.circles.size() ? end : 2 * (change.last + 1);
   // How fast an outer joint may be passed depends on the line next to it, if there is one.
   if ((first > 0 && !(stretches_[first].length > 0.0)) || (last < end && !(stretches_[last].length > 0.0))) return 0.0;
   const std::size_t size = from_start_.size();

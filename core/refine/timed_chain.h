@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arcway/vehicle.h"
+#include "core/collision/clearance_cost.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/speed_tree.h"
 #include "core/refine/circle_chain.h"
@@ -32,12 +33,13 @@ ChainChange replaced(const CircleChain& chain, std::size_t first, std::size_t la
 /// A chain with its lines, its path and the path's speeds, and what a change makes of them.
 class TimedChain {
  public:
-  /// Takes a chain. The vehicle and the zones must outlive the use.
+  /// Takes a chain. The vehicle, the zones and the clearance's cost must outlive the use.
   /// @param ends  speeds of its path and those of all changed ones.
   /// @param zones  whose limits hold; may be null.
+  /// @param clearance  what driving close to obstacles costs; may be null.
   /// @return false if two neighbors have no bitangent, or no motion has these end speeds.
   bool begin(const CircleChain& chain, const Vehicle& vehicle, const EndSpeeds& ends = {},
-             const SpeedZones* zones = nullptr);
+             const SpeedZones* zones = nullptr, const ClearanceCost* clearance = nullptr);
 
   [[nodiscard]] const CircleChain& chain() const { return now_.chain; }
   /// See lines_of.
@@ -48,8 +50,10 @@ class TimedChain {
   struct Passing {
     double time;
     double speed;
+    double clearance_cost;
   };
-  /// When the path passes the beginning of a line, or its end [s], and how fast [m/s].
+  /// When the path passes the beginning of a line, or its end [s], how fast [m/s], and what driving close to obstacles
+  /// has cost by then [s].
   [[nodiscard]] const Passing& begin_of(std::size_t line) const { return passings_[2 * line]; }
   [[nodiscard]] const Passing& end_of(std::size_t line) const { return passings_[2 * line + 1]; }
 
@@ -67,9 +71,10 @@ class TimedChain {
   /// @return false if two neighbors have no bitangent.
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
-  /// The travel time after the change laid out last [s], from its parts alone: exact up to rounding, or too small. It
-  /// knows no zones. Infinity if no motion has the end speeds.
-  [[nodiscard]] double time_after(const ChainChange& change);
+  /// The cost after the change laid out last [s], from its parts alone: exact up to rounding, or too small. It knows no
+  /// zones. Infinity if no motion has the end speeds.
+  /// @param enough  what costs at least this need not be known better [s].
+  [[nodiscard]] double cost_after(const ChainChange& change, double enough);
 
   /// Makes the changed path.
   /// @return false if two neighbors have no bitangent, or no motion has the end speeds.
@@ -79,6 +84,8 @@ class TimedChain {
   bool make(const CircleChain& chain);
   [[nodiscard]] const Path& made_path() const { return made_.path; }
   [[nodiscard]] double made_time() const { return made_.profile.total_time; }
+  /// Its travel time, plus the cost of driving close to obstacles [s].
+  [[nodiscard]] double made_cost() const { return made_.profile.total_time + made_.clearance_cost; }
   /// Makes the path made last the current one.
   void take();
 
@@ -88,20 +95,29 @@ class TimedChain {
     std::vector<Bitangent> lines;
     Path path;
     SpeedProfile profile;
+    double clearance_cost = 0.0;  // [s]
   };
   struct Stretch {
     double length;
     double limit;
+    double clearance_cost = 0.0;  // [s]
   };
 
   bool complete(State& state) const;
   void time_parts();
+  [[nodiscard]] double time_after(const ChainChange& change);
+  // The stretches that a change laid out last leaves as they are end before `first`, and begin behind `last`.
+  struct Affected {
+    std::size_t first, last;
+  };
+  [[nodiscard]] Affected affected_by(const ChainChange& change) const;
   void add_line(const Bitangent& line);
   void add_arc(const TurnCircle& circle, double from, double to);
 
   const Vehicle* vehicle_ = nullptr;
   EndSpeeds ends_;
   const SpeedZones* zones_ = nullptr;
+  const ClearanceCost* clearance_ = nullptr;
   State now_, made_;
   // Lines and circles alternate: line i has index 2 i, circle i has 2 i + 1.
   std::vector<Stretch> stretches_;

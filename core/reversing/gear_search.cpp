@@ -115,7 +115,8 @@ class GearSearch {
     const Path rest = at == kStartEnd ? word : trees_[kGoalEnd].path_to_root(node);
     path.insert(path.end(), rest.begin(), rest.end());
     if (cusps_of(path) > options_.max_cusps) return;
-    const double cost = travel_cost(path, vehicle_, options_.cusp_cost, options_.speed_zones);
+    const double cost = travel_cost(path, vehicle_, options_.cusp_cost, options_.speed_zones) +
+                        clearance_cost(options_.clearance_cost, path);
     if (cost >= result_.cost || !is_free(word) || !is_free(path)) return;
     result_.cost = cost;
     result_.path = std::move(path);

@@ -9,6 +9,7 @@
 #include "arcway/stop_clock.h"
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
+#include "core/collision/clearance_cost.h"
 #include "core/model/outlines.h"
 #include "core/zones/one_way_zones.h"
 #include "core/zones/speed_zones.h"
@@ -32,12 +33,14 @@ struct GearSearchOptions {
   StopClock clock = {};  ///< may end the search; the best path so far is returned
   /// Whose limits the times of paths obey; null: none. The trees grow as if there were none.
   const SpeedZones* speed_zones = nullptr;
+  /// What driving close to obstacles costs on paths; null: nothing. The trees grow as if it were nothing.
+  const ClearanceCost* clearance_cost = nullptr;
 };
 
 struct GearSearchResult {
   std::optional<Path> path;
-  double cost =
-      std::numeric_limits<double>::infinity();  ///< travel time of the path plus the cost of its gear changes [s]
+  /// Travel time of the path, plus the cost of its gear changes and of driving close to obstacles [s].
+  double cost = std::numeric_limits<double>::infinity();
   bool interrupted = false;
   std::size_t poses = 0;  ///< tried
   std::uint64_t straights_checked = 0;

@@ -152,7 +152,8 @@ class NarrowGearSearch {
   // Keeps a path if it is the cheapest and free.
   bool take(Path&& path) {
     if (cusps_of(path) > options_.max_cusps) return false;
-    const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost, options_.speed_zones);
+    const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost, options_.speed_zones) +
+                        clearance_cost(options_.clearance_cost, path);
     if (cost >= result_.cost || !motion_free(*map_.queries.sweep, map_.body, path)) return false;
     result_.cost = cost;
     result_.path = std::move(path);

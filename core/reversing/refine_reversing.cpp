@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
 #include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
@@ -43,11 +44,13 @@ class ReversingRefiner {
         outlines_(query.outlines),
         ends_(query.ends),
         zones_(query.speed_zones),
+        clearance_(query.clearance_cost),
         result_(result),
         body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
-        most_trials_(query.options.max_trials),
-        cost_(cost_of(result.path)) {}
+        most_trials_(query.options.max_trials) {
+    cost_ = cost_of(result.path);
+  }
 
   void run() {
     most_trials_ = static_cast<std::uint32_t>(kGearRoundsShare * options_.max_trials);
@@ -65,6 +68,7 @@ class ReversingRefiner {
     double part;  // of the segment's length
     Pose pose;
     double time;        // when the path gets there, roughly within a segment [s]
+    double clearance;   // what driving close to obstacles has cost by then [s]
     std::size_t cusps;  // before it
   };
 
@@ -84,8 +88,10 @@ class ReversingRefiner {
     return result_.interrupted || result_.trials >= most_trials_;
   }
 
+  // The cost of a path, or as much of it as tells that it is not cheaper.
   [[nodiscard]] double cost_of(const Path& path) {
-    return travel_cost(path, vehicle_, ends_, changes_.cost, profile_, zones_);
+    const double cost = travel_cost(path, vehicle_, ends_, changes_.cost, profile_, zones_);
+    return is_cheaper(cost) ? cost + clearance_cost(clearance_, path) : cost;
   }
 
   [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kLeastSaving); }
@@ -104,16 +110,20 @@ class ReversingRefiner {
     const Path& path = result_.path;
     const SpeedProfile profile = speed_profile(path, vehicle_, ends_, zones_);
     std::vector<Station> stations;
-    double time = 0.0;
+    double time = 0.0, clearance = 0.0;
     std::size_t cusps = 0;
     for (std::size_t i = 0; i < path.size(); ++i) {
       cusps += i > 0 && path[i].gear != path[i - 1].gear ? 1 : 0;
-      stations.push_back({i, 0.0, path[i].start, time, cusps});
+      stations.push_back({i, 0.0, path[i].start, time, clearance, cusps});
+      PathSegment half = path[i];
+      half.length *= 0.5;
       if (path[i].length > 0.5 * vehicle_.min_turning_radius())
-        stations.push_back({i, 0.5, path[i].at(0.5 * path[i].length), time + 0.5 * profile.durations[i], cusps});
+        stations.push_back({i, 0.5, half.end(), time + 0.5 * profile.durations[i],
+                            clearance + clearance_cost(clearance_, {&half, 1}), cusps});
       time += profile.durations[i];
+      clearance += clearance_cost(clearance_, {&path[i], 1});
     }
-    if (!path.empty()) stations.push_back({path.size() - 1, 1.0, path.back().end(), time, cusps});
+    if (!path.empty()) stations.push_back({path.size() - 1, 1.0, path.back().end(), time, clearance, cusps});
     return stations;
   }
 
@@ -160,7 +170,8 @@ class ReversingRefiner {
   // The words that may make the path cheaper, the fastest first.
   [[nodiscard]] std::vector<Word> words_between(const InsertGearWords& move, const Station& from,
                                                 const Station& to) const {
-    const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps);
+    const double budget = to.time - from.time + changes_.cost * static_cast<double>(to.cusps - from.cusps) +
+                          (to.clearance - from.clearance);
     std::vector<Word> words;
     for (const double turn : move.radii) {
       const SideRadii radii = SideRadii(vehicle_).times(turn);
@@ -250,7 +261,7 @@ class ReversingRefiner {
         const auto forwards =
             dubins_path(word, towards_cusp ? place : cusp, towards_cusp ? cusp : place, SideRadii(vehicle_));
         if (!forwards) continue;
-        found.push_back({{segment, after ? 1.0 : 0.0, place, 0.0, 0},
+        found.push_back({{segment, after ? 1.0 : 0.0, place, 0.0, 0.0, 0},
                          s.gear == Gear::kForward ? *forwards : reversed(*forwards),
                          length_of(*forwards) - length});
       }
@@ -335,7 +346,8 @@ class ReversingRefiner {
                                        .outlines = outlines_,
                                        .at_length = true,
                                        .ends = ends,
-                                       .speed_zones = zones_});
+                                       .speed_zones = zones_,
+                                       .clearance_cost = clearance_});
     result_.trials += refined.trials;
     result_.straights_checked += refined.straights_checked;
     result_.turns_checked += refined.turns_checked;
@@ -352,12 +364,13 @@ class ReversingRefiner {
   const Outlines* outlines_;
   EndSpeeds ends_;
   const SpeedZones* zones_;
+  const ClearanceCost* clearance_;
   SpeedProfile profile_;  // memory
   RefinedPath& result_;
   Body body_;
   std::size_t most_cusps_;
   std::uint64_t most_trials_;  // until the next stage
-  double cost_;
+  double cost_ = kInfinity;
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ struct GearChanges {
   std::size_t most = std::numeric_limits<std::size_t>::max();  ///< in one path
 };
 
-/// Makes a free path in both gears cheaper. Its cost is its travel time plus that of its gear changes. The moves
-/// are kGearMoves of moves.h:
+/// Makes a free path in both gears cheaper. Its cost is its travel time, plus that of its gear changes and of driving
+/// close to obstacles. The moves are kGearMoves of moves.h:
 /// 1. Words. Places are ends of segments and middles of long ones. Words are tried until none makes the path cheaper.
 /// 2. Parts between two cusps are refined by refine_path, which need not know of gears: a part takes the same time in
 ///    either direction. With outlines of the world, their turns are optimized.

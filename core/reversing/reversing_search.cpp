@@ -185,7 +185,8 @@ GearSearchOptions ReversingSearch::gear_options(std::size_t poses) const {
           .cutoff = cost_,
           .max_cusps = query_.max_cusps,
           .clock = options_.clock,
-          .speed_zones = map_.speed_zones.get()};
+          .speed_zones = map_.speed_zones.get(),
+          .clearance_cost = map_.clearance_cost.get()};
 }
 
 FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
@@ -201,7 +202,8 @@ FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
 bool ReversingSearch::offer(const Path& path) {
   if (cusps_of(path) > query_.max_cusps) return false;
   SpeedProfile profile;
-  const double cost = travel_cost(path, map_.vehicle, ends_, options_.cusp_cost, profile, map_.speed_zones.get());
+  const double cost = travel_cost(path, map_.vehicle, ends_, options_.cusp_cost, profile, map_.speed_zones.get()) +
+                      clearance_cost(map_.clearance_cost.get(), path);
   if (cost >= cost_) return true;
   path_ = merged(path);
   cost_ = cost;

@@ -28,8 +28,9 @@ struct GearAttachments {
 };
 
 /// Finds the cheapest path of a vehicle that may drive backwards, between the end speeds of the options. The cost is
-/// the travel time plus a cost of each gear change. Each step searches for a path that is cheaper than those known so
-/// far. Steps may be left out. As the number of trials is limited, finding no path proves nothing.
+/// the travel time, plus a cost of each gear change and that of driving close to obstacles. Each step searches for a
+/// path that is cheaper than those known so far. Steps may be left out. As the number of trials is limited, finding no
+/// path proves nothing.
 ///
 /// Paths with gear changes are searched from rest to rest: from where a moving start can have stopped, to where the way
 /// to a moving goal can begin. Both ways are parts of the path, which need not stop between them and the rest.

@@ -53,9 +53,11 @@ class ContactCases {
       if (lines && cut_turns(*circles, *lines, {3, 0.05, 72.0}, chain) && is_free(chain)) return chain;
     }
   }
-  ChainContacts contacts_of(const ArcChain& chain) const {
+  // @param growth  by which a smaller body is grown to this one on all parts.
+  ChainContacts contacts_of(const ArcChain& chain, double growth = 0.0) const {
     ChainContacts contacts;
-    contacts.find(chain, world_, outlines_, body(), 4.0 * vehicle_.parameters().length);
+    const std::vector<double> growths(2 * chain.arcs.size() + 1, growth);
+    contacts.find(chain, world_, outlines_, {body().grown(-growth), growths}, 4.0 * vehicle_.parameters().length);
     return contacts;
   }
   // Whether the body touches nothing along a chain, by the exact query.
@@ -128,6 +130,27 @@ TEST(ChainContacts, FreeChainsTouchNothing) {
     // Paths pass corners by the safety margin, the wide side of the narrower body as well.
     EXPECT_GT(near, 5u);
   }
+}
+
+TEST(ChainContacts, OfASmallerBodyThatIsGrownOnAllPartsAreTheSame) {
+  constexpr double kGrowth = 0.02;
+  ContactCases cases(ClutterKind::kStar, 4);
+  std::size_t compared = 0;
+  for (int i = 0; i < 10; ++i) {
+    const ArcChain chain = cases.next();
+    const ChainContacts contacts = cases.contacts_of(chain), grown = cases.contacts_of(chain, kGrowth);
+    ASSERT_EQ(grown.size(), contacts.size()) << "chain " << i;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const ChainContacts::Place place = contacts.look(chain, k), other = grown.look(chain, k);
+      ASSERT_EQ(other.kind, place.kind) << "chain " << i << " contact " << k;
+      if (place.distance == kInfinity) continue;
+      EXPECT_NEAR(other.distance, place.distance, 1e-12) << "chain " << i << " contact " << k;
+      const Term term = contacts.term(chain, k, place), of_grown = grown.term(chain, k, other);
+      EXPECT_LT((term.gradient - of_grown.gradient).norm(), 1e-9) << "chain " << i << " contact " << k;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500u);
 }
 
 // Whether a contact is where it was, after a step of a number, in a place that stays smooth.

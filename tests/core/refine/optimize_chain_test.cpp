@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -60,11 +61,12 @@ struct OptimizedPath {
 
 OptimizedPath optimized_path(ChainOptimizer& optimizer, const OptimizedWorld& in, const CircleChain& chain,
                              const ChainEffort& effort = kUsualEffort, const StopClock& clock = {},
-                             const Vehicle& vehicle = optimized_vehicle()) {
+                             const Vehicle& vehicle = optimized_vehicle(), const ClearanceCost* clearance = nullptr) {
   const auto lines = lines_of(chain).value();
   CircleChain optimized;
   OptimizedPath now;
-  now.result = optimizer.optimize({chain, lines, vehicle, in.world, in.outlines, effort, clock}, optimized);
+  now.result =
+      optimizer.optimize({chain, lines, vehicle, in.world, in.outlines, effort, clock, {}, clearance}, optimized);
   const auto joints = now.result.is_optimized ? lines_of(optimized) : std::nullopt;
   if (!joints) return now;
   for (const TurnCircle& circle : optimized.circles) EXPECT_GE(circle.radius, vehicle.min_turning_radius());
@@ -100,6 +102,31 @@ TEST(OptimizeChain, ServesVehiclesThatAreFasterOnWiderArcs) {
   // The tightest circle, of radius 1.3 m, is driven at the top speed of 1.6 m/s, or just not.
   EXPECT_FALSE(serves({.max_speed = 1.6, .turn_speed = lateral}));
   EXPECT_TRUE(serves({.max_speed = 1.63, .turn_speed = lateral}));
+}
+
+// Chains of a vehicle with as large a margin keep the distance.
+TEST(OptimizeChain, KeepsThePreferredDistanceWhereAChainKeepsIt) {
+  constexpr double kDistance = 0.3;
+  const OptimizedWorld in(
+      random_world({.kind = ClutterKind::kConvex, .obstacles = 25, .vertices = 6, .fill = 0.12, .seed = 5}));
+  const Vehicle vehicle = optimized_vehicle();
+  const ClearanceCost clearance(vehicle, std::make_shared<const Outlines>(in.world), {.distance = kDistance});
+  VehicleParameters wide = vehicle.parameters();
+  wide.safety_margin = 2.0 * (kDistance + vehicle.safety_margin());
+  ChainOptimizer optimizer;
+  int kept = 0, given_up = 0, faster = 0;
+  for (const CircleChain& chain : free_chains(in.world, 15, 2, Vehicle(wide))) {
+    ASSERT_EQ(clearance.of(path_of(chain, lines_of(chain).value())), 0.0);
+    const OptimizedPath near = optimized_path(optimizer, in, chain);
+    const OptimizedPath far = optimized_path(optimizer, in, chain, kUsualEffort, {}, vehicle, &clearance);
+    if (!near.is_free || !far.is_free) continue;
+    kept += clearance.of(far.path) == 0.0 ? 1 : 0;
+    given_up += clearance.of(near.path) > 0.0 ? 1 : 0;
+    faster += far.time < time_before(chain) ? 1 : 0;
+  }
+  EXPECT_GE(kept, 11);
+  EXPECT_GE(given_up, 6);
+  EXPECT_GE(faster, 11);
 }
 
 class OptimizeChainInClutter : public testing::TestWithParam<ClutterKind> {};

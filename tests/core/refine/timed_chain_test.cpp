@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "arcway/angle.h"
+#include "arcway/datasets/clutter.h"
+#include "core/base/infinity.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -58,7 +61,7 @@ TEST_P(TimedChainOf, TimesAChangeAsTheWholePathIsTimed) {
     const ChainChange change = random_change(random, timed.chain());
     if (change.size_after(timed.chain().circles.size()) < 2) continue;
     const bool has_lines = timed.lay_out(change);
-    const double time = has_lines ? timed.time_after(change) : 0.0;
+    const double time = has_lines ? timed.cost_after(change, kInfinity) : 0.0;
     ASSERT_EQ(timed.make(change), has_lines) << "change " << i;
     if (!has_lines) continue;
     if (time == 0.0) {
@@ -85,6 +88,39 @@ TEST_P(TimedChainOf, TimesAChangeAsTheWholePathIsTimed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Accelerations, TimedChainOf, testing::Values(0.5, 2.0, 50.0));
+
+TEST(TimedChain, CostsAChangeAsTheWholePathCosts) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world = random_world({.obstacles = 12, .vertices = 6, .fill = 0.1, .seed = 3});
+  const ClearanceCost clearance(vehicle, std::make_shared<const Outlines>(world), {.distance = 0.5, .cost = 4.0});
+  test::RandomInputs random(7);
+  TimedChain timed;
+  int compared = 0, not_told = 0, cut_short = 0;
+  for (int i = 0; i < 3000; ++i) {
+    if (i % 20 == 0)
+      while (!timed.begin(random_chain(random, static_cast<std::size_t>(random.integer(2, 9))), vehicle, {}, nullptr,
+                          &clearance)) {
+      }
+    const Path path = path_of(timed.chain(), timed.lines());
+    EXPECT_NEAR(timed.end_of(timed.lines().size() - 1).clearance_cost, clearance.of(path), 1e-9);
+    const ChainChange change = random_change(random, timed.chain());
+    if (change.size_after(timed.chain().circles.size()) < 2) continue;
+    if (!timed.lay_out(change)) continue;
+    const double cost = timed.cost_after(change, kInfinity), enough = 0.7 * cost;
+    const double short_cost = timed.cost_after(change, enough);
+    ASSERT_TRUE(timed.make(change));
+    EXPECT_NEAR(timed.made_cost(), timed.made_time() + clearance.of(timed.made_path()), 1e-9);
+    ASSERT_LE(cost, timed.made_cost() * (1.0 + 1e-12)) << "change " << i;
+    ASSERT_GE(short_cost, enough);
+    ASSERT_LE(short_cost, cost);
+    cut_short += short_cost < cost ? 1 : 0;
+    ++(cost > timed.made_cost() * (1.0 - 1e-12) ? compared : not_told);
+    if (random.unit() < 0.3) timed.take();
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_LT(not_told, compared / 10);
+  EXPECT_GT(cut_short, 20);
+}
 
 TEST(TimedChain, KnowsWhenAndHowFastItsLinesArePassed) {
   test::RandomInputs random(6);
