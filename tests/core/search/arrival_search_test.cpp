@@ -248,18 +248,19 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsThroughZones) {
 TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
   ArrivalSearch search;
   int solved = 0, close = 0, slower = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     test::RandomInputs random(seed);
-    World world = world_of_few(3, 0.15, seed);
+    World world = world_of_few(4, 0.3, seed);
     if (seed % 4 == 3)
       world =
           world.with_zones({{Polygon::regular(0.5 * (world.box().min + world.box().max), 5.0, 5), SpeedLimit{2.0}}});
     const Vehicle vehicle(parameters_of(seed));
     const Roadmap plain = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
-    const ClearancePreference preference{.distance = random.uniform(0.2, 1.0), .cost = random.uniform(0.02, 0.5)};
+    const ClearancePreference preference{.distance = random.uniform(0.2, 1.0),
+                                         .cost = std::exp(random.uniform(-4.0, 1.0))};
     Roadmap map = plain.with_cost(std::make_shared<const ClearanceCost>(vehicle, plain.outlines, preference));
-    if (seed % 3 == 0) map = with_clear_circles(map);
-    for (int i = 0; i < 15; ++i) {
+    if (seed % 2 == 0) map = with_clear_circles(map);
+    for (int i = 0; i < 30; ++i) {
       const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
       const SearchResult result = search.find(map, {&start, 1}, {&goal, 1}, {});
       if (!result.path) continue;
@@ -272,13 +273,13 @@ TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
       EXPECT_NEAR(all.best(), cost, 1e-9 * cost) << "seed " << seed << ", query " << i;
       EXPECT_GE(all.paths(), 1u);
       const SearchResult fastest = search.find(plain, {&start, 1}, {&goal, 1}, {});
-      ASSERT_TRUE(fastest.path);
+      if (!fastest.path) continue;
       slower += time > speed_profile(*fastest.path, vehicle, {}, map.speed_zones.get()).total_time + 1e-9 ? 1 : 0;
     }
   }
   EXPECT_GT(solved, 60);
-  EXPECT_GT(close, 30);
-  EXPECT_GT(slower, 10);
+  EXPECT_GT(close, 50);
+  EXPECT_GT(slower, 15);
 }
 
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
