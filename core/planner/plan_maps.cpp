@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "arcway/executor.h"
+#include "core/attach/clear_circles.h"
 #include "core/planner/strategy.h"
 #include "core/roadmap/change_feasible_graph.h"
 
@@ -53,7 +54,8 @@ PlanMaps::PlanMaps(Roadmap map, bool gap_circles)
 std::shared_ptr<const LazyFeasibleGraph> LazyGraphs::operator()(const Roadmap& map, const CircleRadii& radii,
                                                                 const Roadmap* before) const {
   const FeasibleGraphInputs inputs{map.world, map.vehicle, rows_, map.queries, radii};
-  const auto* graph = change_ && before && before->radii == radii
+  // A graph with the circles of a preferred clearance is no graph of the vertices' circles alone.
+  const auto* graph = change_ && before && before->radii == radii && !before->clearance_cost
                           ? dynamic_cast<const LazyFeasibleGraph*>(before->graph.get())
                           : nullptr;
   if (graph) return change_lazy_feasible_graph(*graph, inputs, change_->change, change_->may_differ);
@@ -68,7 +70,8 @@ OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<cons
     if (const Roadmap* same = with_radii(route.radii)) return with_other_turns(*same, all.vehicle, route.factor);
     const CircleRadii radii = all.radii.first(route.radii);
     auto lazy = graphs(all, radii, before ? before->with_radii(route.radii) : nullptr);
-    return with_other_turns(all.with_graph(std::move(lazy), radii), all.vehicle, route.factor);
+    const Roadmap plain = all.with_graph(std::move(lazy), radii);
+    return with_other_turns(all.clearance_cost ? with_clear_circles(plain) : plain, all.vehicle, route.factor);
   };
   std::vector<OtherRoute> known{{all.radii.size(), 1.0}};
   for (const OtherRoute& route : routes) {

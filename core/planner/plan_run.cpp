@@ -32,7 +32,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
   search_options_.time_model = query.ends().is_moving() ? TimeModel::kProfile : query.options.time_model;
   search_options_.suboptimality = query.options.suboptimality.value_or(0.0);
   search_options_.prefetch = query.limits.prefetch;
-  workspace_.unrefined_times.clear();
+  workspace_.unrefined_costs.clear();
   workspace_.ways.clear();
 }
 
@@ -104,7 +104,8 @@ void PlanRun::raise_lower_bound() {
 
 double PlanRun::cost_of(const Path& path) {
   return travel_cost(path, map_.vehicle, query_.ends(), query_.request.cusp_cost, workspace_.profile,
-                     map_.speed_zones.get());
+                     map_.speed_zones.get()) +
+         clearance_cost(path);
 }
 
 double PlanRun::travel_time(const Path& path) {
@@ -134,6 +135,7 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .ends = query_.ends(),
                           .lower_bound = result_.lower_bound,
                           .speed_zones = map_.speed_zones.get(),
+                          .clearance_cost = map_.clearance_cost.get(),
                           .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};
   if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
@@ -158,15 +160,16 @@ const RefinedWay* PlanRun::refined_before(std::uint64_t way, double unrefined) c
 
 PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, RefineMode mode) {
   PlanStatistics& s = result_.statistics;
-  const double unrefined = travel_time(path);
-  if (unrefined == kInfinity) return {kInfinity, kInfinity};
-  workspace_.unrefined_times.push_back(unrefined);
+  const double time = travel_time(path);
+  if (time == kInfinity) return {kInfinity, kInfinity};
+  const double unrefined = time + clearance_cost(path);
+  workspace_.unrefined_costs.push_back(unrefined);
   if (const RefinedWay* known = refined_before(way, unrefined)) {
     workspace_.find.search.reuse(std::move(path));
     return {unrefined, known->cost};
   }
   if (!found_) first_expanded_ = s.nodes_expanded - soon_expanded_;
-  note_first(path, unrefined);
+  note_first(path, time);
   refine(path, trials, mode);
   workspace_.find.search.reuse(std::move(path));
   if (soon_) workspace_.find.search.reuse(*std::exchange(soon_, std::nullopt));
@@ -177,16 +180,17 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
     if (best_cost_ > (1.0 + kSameCost) * cost) {
       std::swap(workspace_.second, workspace_.best);
       second_cost_ = best_cost_;
-      second_unrefined_ = s.unrefined_travel_time;
+      second_unrefined_ = best_unrefined_;
     }
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
-    s.unrefined_travel_time = unrefined;
+    best_unrefined_ = {time, unrefined};
+    s.unrefined_travel_time = time;
     found_ = true;
   } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
     std::swap(workspace_.second, workspace_.refined.path);
     second_cost_ = cost;
-    second_unrefined_ = unrefined;
+    second_unrefined_ = {time, unrefined};
   }
   return {unrefined, cost};
 }
@@ -201,10 +205,10 @@ void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {
   fastest_ = {times, &map, 0, found.search.first_circle, found.search.last_circle};
 }
 
-void PlanRun::note_first(const Path& path, double unrefined) {
+void PlanRun::note_first(const Path& path, double time) {
   if (std::exchange(is_first_noted_, true)) return;
   result_.statistics.first_path_seconds = total_.seconds();
-  result_.statistics.first_travel_time = unrefined;
+  result_.statistics.first_travel_time = time;
   result_.first_path = path;
 }
 
@@ -214,7 +218,7 @@ void PlanRun::keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t sho
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
     path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock,
-                        {query_.ends(), map_.speed_zones.get()});
+                        {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()});
   }
   const Times times = keep(std::move(path), 0, trials, RefineMode::kForwards);
   if (times.cost == kInfinity || (!is_first && times.cost >= fastest_.times.cost)) return;

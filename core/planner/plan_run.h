@@ -24,7 +24,7 @@ namespace arcway::internal {
 /// A way on which a path has been refined.
 struct RefinedWay {
   std::uint64_t way;       ///< see SearchResult
-  double unrefined, cost;  ///< travel time of the path before refinement [s], and its cost afterwards
+  double unrefined, cost;  ///< cost of the path before refinement, without gear changes [s], and afterwards
 };
 
 /// Memory of a query, kept for the next one.
@@ -34,7 +34,7 @@ struct PlanWorkspace {
   RefinedPath refined;
   Path best, second;
   SpeedProfile profile;
-  std::vector<double> unrefined_times;  // travel times of all paths found so far, before refinement [s]
+  std::vector<double> unrefined_costs;  // of all paths found so far, before refinement, without gear changes [s]
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
   PointDistance::Workspace point;
   HeadingSet headings;
@@ -62,8 +62,13 @@ class PlanRun {
 
  private:
   struct Times {
-    double unrefined;  // travel time before refinement [s]
+    double unrefined;  // cost before refinement, without that of gear changes [s]
     double cost;       // of the refined path [s]
+  };
+  // A path before refinement.
+  struct Unrefined {
+    double time = 0.0;  // of travel [s]
+    double cost = 0.0;  // without that of gear changes [s]
   };
   // The fastest path on the roadmaps in use.
   struct Fastest {
@@ -118,7 +123,7 @@ class PlanRun {
   FoundPath search(const Find& find);
   void keep_forwards(On on, FoundPath&& found, double trials);
   // Notes a path as the first one, unless one is noted.
-  void note_first(const Path& path, double unrefined);
+  void note_first(const Path& path, double time);
   void keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   void keep_in_both_gears();
   // Refines a path, unless that promises nothing, and keeps it if it is one of the two cheapest.
@@ -135,6 +140,10 @@ class PlanRun {
   // Infinite if a path cannot be driven between the speeds at its ends.
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);
+  // The cost of driving close to obstacles.
+  [[nodiscard]] double clearance_cost(const Path& path) const {
+    return internal::clearance_cost(map_.clearance_cost.get(), path);
+  }
 
   const Stopwatch total_;
   const QueryContext& query_;
@@ -149,8 +158,8 @@ class PlanRun {
   bool found_ = false;
   double distance_;  // lower bound of the length of all paths [m]
   bool is_bound_raised_ = false;
-  bool are_turns_optimized_;        // by refinement, where a path is driven forwards
-  double second_unrefined_ = 0.0;   // travel time of the second best path before refinement [s]
+  bool are_turns_optimized_;  // by refinement, where a path is driven forwards
+  Unrefined best_unrefined_, second_unrefined_;
   double best_cost_, second_cost_;  // infinite where there is none
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found

@@ -148,7 +148,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
     const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock,
-                                      {query_.ends(), map_.speed_zones.get()});
+                                      {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()});
     auto free = push_free(shorter, goal, map_.body, map_, clock);
     if (free || length_of(shorter) == length_of(path)) return free;
     return push_free(path, goal, map_.body, map_, clock);
@@ -268,9 +268,10 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
     return find_path_with_maneuvers(map, {query_.request.start, query_.request.goal, poses}, options, workspace_.find);
   });
   if (!other.search.path) return;
-  // Paths of one time to the last bit are one path.
-  const auto& known = workspace_.unrefined_times;
-  if (std::ranges::find(known, travel_time(*other.search.path)) == known.end()) {
+  // Paths of one cost to the last bit are one path.
+  const auto& known = workspace_.unrefined_costs;
+  const double unrefined = travel_time(*other.search.path) + clearance_cost(*other.search.path);
+  if (std::ranges::find(known, unrefined) == known.end()) {
     keep(std::move(*other.search.path), other.search.way, trials, RefineMode::kForwards);
   } else {
     workspace_.find.search.reuse(std::move(*other.search.path));
@@ -278,24 +279,24 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
 }
 
 void PlanRun::take(const RefineBest& step, double trials) {
-  double& unrefined_time = result_.statistics.unrefined_travel_time;
-  const auto refine_further = [&](const Path& path, double unrefined) {
+  const auto refine_further = [&](const Path& path, const Unrefined& unrefined) {
     if (result_.interrupted) return;
     refine(path, trials, RefineMode::kAtLength);
     const double cost = cost_of(workspace_.refined.path);
     if (cost >= best_cost_) return;
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
-    unrefined_time = unrefined;
+    best_unrefined_ = unrefined;
+    result_.statistics.unrefined_travel_time = unrefined.time;
   };
   const bool are_close = second_cost_ <= (1.0 + step.close) * best_cost_;
-  refine_further(workspace_.best, unrefined_time);
+  refine_further(workspace_.best, best_unrefined_);
   if (are_close) refine_further(workspace_.second, second_unrefined_);
 }
 
 ReversingSearch& PlanRun::reversing_search() {
   if (!reversing_) {
-    const double unrefined = found_ ? result_.statistics.unrefined_travel_time : best_cost_;
+    const double unrefined = found_ ? best_unrefined_.cost : best_cost_;
     reversing_.emplace(
         map_, query_.maps.in(Gear::kReverse),
         ReversingQuery{query_.request.start, query_.request.goal, distance_, unrefined, gear_changes_.most},

@@ -18,6 +18,7 @@
 #include "core/base/shortest_text.h"
 #include "core/base/stopwatch.h"
 #include "core/base/workspace_pool.h"
+#include "core/collision/clearance_cost.h"
 #include "core/collision/motion_free.h"
 #include "core/collision/one_way_sweep.h"
 #include "core/motion/clearance.h"
@@ -156,12 +157,13 @@ struct Planner::Data {
         scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
     prepare_statistics.visibility_seconds = reduced.seconds;
     prepare_statistics.feasible_seconds = watch.seconds();
-    prepare_statistics.counts = map().graph->counts();
+    prepare_statistics.counts = maps.base_graph->counts();
     given.process_group = options.process_group = nullptr;  // need not outlive the construction
   }
 
   [[nodiscard]] const Roadmap& map() const { return maps.all.plain; }
 
+  [[nodiscard]] std::optional<CloseDriving> close_driving(std::span<const PathSegment> path) const;
   // Speeds, clearance and all that follows from a path.
   void complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const;
 
@@ -177,6 +179,15 @@ struct Planner::Data {
   PrepareStatistics prepare_statistics;
   mutable WorkspacePool<PlanWorkspace> workspaces;
 };
+
+std::optional<CloseDriving> Planner::Data::close_driving(std::span<const PathSegment> path) const {
+  const ClearanceCost* cost = maps.clearance_cost.get();
+  if (cost == nullptr) return std::nullopt;
+  CloseDriving close{.distance = cost->preference().distance};
+  for (const PathSegment& segment : path) close.length += cost->close_length(segment);
+  close.cost = cost->preference().cost * close.length;
+  return close;
+}
 
 void Planner::Data::complete(const Path& whole, Grace grace, SpeedProfile& profile, PlanResult& result) const {
   const Stopwatch finishing;
@@ -218,6 +229,7 @@ void Planner::Data::complete(const Path& whole, Grace grace, SpeedProfile& profi
   if (path.empty()) result.min_clearance = look_along({result.start, 0.0, 0.0});
   result.travel_time = profile.total_time;
   result.length = length_of(path);
+  result.close_driving = close_driving(whole);
   // Rounding is taken off the bound: a plan below it is a defect.
   assert(result.travel_time >= result.lower_bound);
   result.statistics.profile_seconds += finishing.seconds();
@@ -297,7 +309,9 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
     return change_feasible_graph(before.feasible_graph(), inputs, change, executor);
   };
   std::optional<MapsBefore> maps_before;
-  if (rows_after) maps_before.emplace(MapsBefore{before.data_->maps, {change, rows_after->may_differ}});
+  // Circles of a clearance preference are added anew.
+  if (rows_after && !options.clearance_preference)
+    maps_before.emplace(MapsBefore{before.data_->maps, {change, rows_after->may_differ}});
   return Planner(std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
                                               make_feasible, executor, maps_before ? &*maps_before : nullptr));
 }
@@ -384,6 +398,10 @@ bool Planner::is_free(std::span<const PathSegment> path) const {
   return motion_free(*data_->map().queries.sweep, data_->map().body, path);
 }
 
+std::optional<CloseDriving> Planner::close_driving(std::span<const PathSegment> path) const {
+  return data_->close_driving(path);
+}
+
 std::optional<Pose> Planner::nearest_free(const Pose& pose) const {
   if (is_free(pose)) return pose;
   const std::optional<FreePose> free = nearest_free_pose(*data_->map().queries.sweep, data_->map().body, pose);
@@ -396,7 +414,7 @@ const QuerySet& Planner::queries() const { return data_->backend.queries(); }
 const PlannerOptions& Planner::options() const { return data_->options; }
 const VisibilityGraph& Planner::visibility_graph() const { return *data_->visibility_graph; }
 std::shared_ptr<const VisibilityRows> Planner::visibility_rows() const { return data_->rows; }
-const FeasibleGraph& Planner::feasible_graph() const { return *data_->map().graph; }
+const FeasibleGraph& Planner::feasible_graph() const { return *data_->maps.base_graph; }
 PreparedGraph Planner::prepared_graph() const {
   const FinishedFeasibleGraph* finished = feasible_graph().finished();
   if (!finished || visibility_graph().vertex_count() != world().vertices().size())

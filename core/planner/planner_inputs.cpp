@@ -23,6 +23,8 @@ namespace {
 
 // Largest suboptimality: no time overflows.
 constexpr double kLargestSuboptimality = 1e6;
+// Largest distance [m] and cost [s/m] of a clearance preference: no length or time overflows.
+constexpr double kMostPreferred = 1e6;
 // Units in the last place of the largest coordinate that the safety margin must span. Corners, centers and critical
 // angles are off by a few units at most. Grazing contacts are off by the square root of their precision times the
 // reach.
@@ -83,6 +85,15 @@ void require_margin(const World& world, const Vehicle& vehicle) {
                  "coordinates up to", "", "; move the map to the origin");
 }
 
+void require_preference(const ClearancePreference& preference) {
+  if (!(preference.distance > 0.0 && preference.distance <= kMostPreferred))
+    throw std::invalid_argument("clearance preference: distance " + shortest_text(preference.distance) +
+                                " m, must be above 0 and at most " + shortest_text(kMostPreferred));
+  if (!(preference.cost >= 0.0 && preference.cost <= kMostPreferred))
+    throw std::invalid_argument("clearance preference: cost " + shortest_text(preference.cost) +
+                                " s/m, must be from 0 to " + shortest_text(kMostPreferred));
+}
+
 }  // namespace
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
@@ -97,6 +108,7 @@ PlannerOptions checked_options(const World& world, const Vehicle& vehicle, Plann
     throw std::invalid_argument("maneuver poses: " + std::to_string(options.maneuver_poses) + ", at most " +
                                 std::to_string(PlannerOptions::kMostManeuverPoses));
   require_refinement(options.refinement);
+  if (options.clearance_preference) require_preference(*options.clearance_preference);
   for (const std::string& name : options.leave_out) leave_out(name, options);
   require_margin(world, vehicle);
   return options;

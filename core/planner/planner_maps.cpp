@@ -6,10 +6,21 @@
 #include <variant>
 #include <vector>
 
+#include "core/attach/clear_circles.h"
 #include "core/collision/one_way_sweep.h"
 #include "core/planner/strategy.h"
 
 namespace arcway::internal {
+
+namespace {
+
+// The roadmap on which a clearance cost counts, if it is not 0.
+Roadmap preferring(Roadmap map, const std::shared_ptr<const ClearanceCost>& cost) {
+  if (!cost || cost->preference().cost == 0.0) return map;
+  return with_clear_circles(map.with_cost(cost));
+}
+
+}  // namespace
 
 std::vector<OtherRoute> routes_of_strategy() {
   std::vector<OtherRoute> routes;
@@ -22,7 +33,11 @@ std::vector<OtherRoute> routes_of_strategy() {
 PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& obstacles, const PlannerOptions& options,
                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor,
                          const MapsBefore* before)
-    : all(std::move(map), options.gap_circles),
+    : base_graph(map.graph),
+      clearance_cost(options.clearance_preference ? std::make_shared<const ClearanceCost>(map.vehicle, map.outlines,
+                                                                                          *options.clearance_preference)
+                                                  : nullptr),
+      all(preferring(std::move(map), clearance_cost), options.gap_circles),
       slim(all.plain, rows),
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
   end_if_over(executor);
@@ -32,13 +47,13 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
     Roadmap reverse = plain;
     reverse.queries.sweep = obeying(obstacles, plain.one_way_zones, Gear::kReverse);
     auto lazy = graphs(reverse, plain.radii, before && before->maps.backwards ? &*before->maps.backwards : nullptr);
-    backwards.emplace(reverse.with_graph(std::move(lazy), plain.radii));
+    backwards.emplace(preferring(reverse.with_graph(std::move(lazy), plain.radii), clearance_cost));
   }
   const std::size_t tightest_count = plain.radii.tightest(plain.vehicle.footprint(plain.vehicle.safety_margin()));
   if (tightest_count < plain.radii.size()) {
     const CircleRadii smallest = plain.radii.first(tightest_count);
     auto lazy = graphs(plain, smallest, before && before->maps.tightest ? &before->maps.tightest->plain : nullptr);
-    tightest.emplace(plain.with_graph(std::move(lazy), smallest), options.gap_circles);
+    tightest.emplace(preferring(plain.with_graph(std::move(lazy), smallest), clearance_cost), options.gap_circles);
     other = OtherMaps(plain, tightest->plain, routes_of_strategy(), graphs, before ? &before->maps.other : nullptr);
   }
   if (options.point_robot_lower_bound && plain.vehicle.body().covers_reference())

@@ -9,6 +9,7 @@
 #include "arcway/planner.h"
 #include "arcway/sweep_query.h"
 #include "arcway/visibility_rows.h"
+#include "core/collision/clearance_cost.h"
 #include "core/gaps/bottleneck_finder.h"
 #include "core/planner/plan_maps.h"
 #include "core/planner/slim_maps.h"
@@ -30,7 +31,7 @@ struct MapsBefore {
 
 /// All that the queries of one planner share. Immutable but for what is made when first asked for; thread-safe.
 struct PlannerMaps {
-  /// @param map       of all radii.
+  /// @param map       of all radii, without a clearance cost.
   /// @param obstacles  the sweep query that knows no zones, used during the call only.
   /// @param rows      of the reduced graph.
   /// @param executor  used during the call only; may end it, see end_if_over.
@@ -46,6 +47,8 @@ struct PlannerMaps {
     return gear == Gear::kReverse && backwards ? *backwards : all.plain;
   }
 
+  std::shared_ptr<const FeasibleGraph> base_graph;      ///< of all radii, without the circles of a preference
+  std::shared_ptr<const ClearanceCost> clearance_cost;  ///< of the preference, if there is one, whatever it costs
   PlanMaps all;
   std::optional<Roadmap> backwards;  ///< see `in`
   SlimMaps slim;

@@ -229,15 +229,15 @@ class AlternativeSearch {
     if (quick_request_.reverse) return route.cost;
     const auto sweep = obeying(std::make_shared<const WalledSweep>(remembered_, route.walls), one_way_zones_);
     const Path path = route.plan.path();
-    return refine_path({.path = path,
-                        .start = request_.start,
-                        .goal = request_.goal,
-                        .vehicle = planner_.vehicle(),
-                        .sweep = *sweep,
-                        .options = planner_.options().refinement,
-                        .clock = clock_,
-                        .ends = {request_.start_speed, request_.goal_speed}})
-        .travel_time;
+    const RefinedPath refined = refine_path({.path = path,
+                                             .start = request_.start,
+                                             .goal = request_.goal,
+                                             .vehicle = planner_.vehicle(),
+                                             .sweep = *sweep,
+                                             .options = planner_.options().refinement,
+                                             .clock = clock_,
+                                             .ends = {request_.start_speed, request_.goal_speed}});
+    return refined.travel_time + clearance_cost(planner_, refined.path);
   }
 
   // Plans the cheapest of the open routes with all options, and takes it. False if there is none.

@@ -22,6 +22,7 @@ PlanResult in_conflict(PlanResult plan, const Trajectory& given, std::span<const
   plan.segments.clear();
   plan.first_path = {};
   plan.travel_time = plan.length = plan.min_clearance = 0.0;
+  plan.close_driving.reset();
   return plan;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/motion/speed_profile.h"
+#include "core/tasks/plan_cost.h"
 #include "core/tasks/replan_by.h"
 
 namespace arcway {
@@ -79,7 +80,10 @@ class Replanner {
     left.time -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (left.time > 0.0 && !left.stop.stop_requested()) next.plan = queries_.plan(request(), left);
     const double rest_time = time_of(rest_);
-    if (next.plan.solved() && !(is_kept && rest_time <= next.plan.travel_time)) {
+    const auto rest_cost = [&] {
+      return rest_time + (queries_.clearance_cost ? queries_.clearance_cost(path_of(rest_)) : 0.0);
+    };
+    if (next.plan.solved() && !(is_kept && rest_cost() <= next.plan.cost())) {
       next.motion = NextMotion::kPlanned;
       next.segments = next.plan.segments;
       next.travel_time = next.plan.travel_time;
@@ -177,10 +181,10 @@ Replan internal::replan_by(const ReplanQueries& queries, const Trajectory& drive
 Replan replan(const Planner& planner, const Trajectory& driven, double time, const ReplanOptions& options) {
   if (!(driven.vehicle() == planner.vehicle()))
     throw std::invalid_argument("replan: the motion is of another vehicle than the planner's");
-  return replan_by(
-      {planner.vehicle(), [&](std::span<const PathSegment> path) { return planner.is_free(path); },
-       [&](const PlanRequest& request, const PlanLimits& limits) { return planner.plan(request, limits); }},
-      driven, time, options);
+  return replan_by({planner.vehicle(), [&](std::span<const PathSegment> path) { return planner.is_free(path); },
+                    [&](const PlanRequest& request, const PlanLimits& limits) { return planner.plan(request, limits); },
+                    [&](std::span<const PathSegment> path) { return clearance_cost(planner, path); }},
+                   driven, time, options);
 }
 
 }  // namespace arcway

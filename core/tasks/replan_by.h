@@ -12,6 +12,8 @@ struct ReplanQueries {
   const Vehicle& vehicle;
   std::function<bool(std::span<const PathSegment>)> is_free;  ///< Planner::is_free
   std::function<PlanResult(const PlanRequest&, const PlanLimits&)> plan;
+  /// What driving close to obstacles costs on a path [s]; empty: nothing.
+  std::function<double(std::span<const PathSegment>)> clearance_cost = {};
 };
 
 /// arcway::replan by other queries. The vehicle of the motion is that of the queries.

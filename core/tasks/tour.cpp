@@ -15,6 +15,7 @@
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/no_path.h"
 #include "core/planner/planner_inputs.h"
+#include "core/tasks/plan_cost.h"
 #include "core/zones/speed_zones.h"
 
 namespace arcway {
@@ -139,7 +140,8 @@ class TourPlanner {
     Path path = before.path;
     const Path on = leg.path();
     path.insert(path.end(), on.begin(), on.end());
-    const double cost = travel_cost(path, planner_.vehicle(), request_.cusp_cost, zones_.get());
+    const double cost =
+        travel_cost(path, planner_.vehicle(), request_.cusp_cost, zones_.get()) + clearance_cost(planner_, path);
     if (cost >= stop.cost) return certainty;
     stop.cost = cost;
     stop.from = from;
@@ -298,6 +300,7 @@ class TourPlanner {
     for (std::size_t i = 0; i < path.size(); ++i)
       plan.segments[i] = {path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]};
     plan.travel_time = profile.total_time;
+    plan.close_driving = planner_.close_driving(path);
     const bool one_plan = legs.size() == 1 && request_.goals.size() == 1 && request_.goals[0].heading;
     if (one_plan) {
       plan.lower_bound = legs.front()->lower_bound;

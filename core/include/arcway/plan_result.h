@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arcway/bottleneck.h"
+#include "arcway/clearance_preference.h"
 #include "arcway/export.h"
 #include "arcway/path.h"
 #include "arcway/text.h"
@@ -108,6 +109,8 @@ struct ARCWAY_API PlanResult {
   bool clearance_is_lower_bound = false;
   PathSegment clearance_segment;    ///< the segment where the clearance is least
   std::size_t clearance_index = 0;  ///< its index
+  /// What is driven closer to obstacles than PlannerOptions::clearance_preference; nothing without a preference.
+  std::optional<CloseDriving> close_driving;
   /// Unless solved: the narrowest gap of the widest route from start to goal. Nothing if that gap is wide enough for
   /// the tightest turn, or as wide as the room around start or goal, or if the query was interrupted.
   std::optional<Bottleneck> bottleneck;
@@ -115,6 +118,8 @@ struct ARCWAY_API PlanResult {
   /// The world and vehicle of the planner; null if no planner made the result. It shares the planner's data, and keeps
   /// the world alive.
   std::shared_ptr<const PlanScene> scene;
+  /// What planning keeps down, but for PlanRequest::cusp_cost: the travel time, plus the cost of driving close [s].
+  [[nodiscard]] double cost() const { return travel_time + (close_driving ? close_driving->cost : 0.0); }
   /// By which share the plan may be slower than the best one at most: travel_time / lower_bound - 1, or 0 if the plan
   /// takes no time.
   [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }

@@ -12,6 +12,7 @@
 
 #include "arcway/angle.h"
 #include "arcway/backend.h"
+#include "arcway/clearance_preference.h"
 #include "arcway/executor.h"
 #include "arcway/export.h"
 #include "arcway/graph_mode.h"
@@ -73,6 +74,10 @@ struct PlannerOptions {
   /// Local optimization of each path found; `max_trials = 0` turns it off. With radii wider than the tightest ones, a
   /// query may run up to some fifty times as many trials in all.
   RefineOptions refinement = {};
+  /// Room that plans keep where they can: a plan costs its travel time plus that of driving close to obstacles.
+  /// Searches and refinement keep this cost down instead of the time. The graph then also has circles that keep the
+  /// distance from vertices, and is checked lazily. Empty: time alone counts.
+  std::optional<ClearancePreference> clearance_preference = std::nullopt;
   /// Rows of the strategy and moves of refinement to do without, by their names: to find out what each of them brings,
   /// or to have answers sooner. The tables in core/README.md list them.
   std::vector<std::string> leave_out = {};
@@ -226,6 +231,9 @@ class ARCWAY_API Planner {
   /// query a segment. Thread-safe.
   /// @throws std::invalid_argument naming the first segment whose length is negative or whose ends `plan` refuses.
   [[nodiscard]] bool is_free(std::span<const PathSegment> path) const;
+  /// What a path drives closer to obstacles than PlannerOptions::clearance_preference, in whichever gears; nothing
+  /// without a preference. O(log n + edges near by) a segment. Thread-safe.
+  [[nodiscard]] std::optional<CloseDriving> close_driving(std::span<const PathSegment> path) const;
   /// The pose itself if it is free, else the nearest free one of a pattern, by how far the body's points move:
   /// - the same position, with headings turned by multiples of 15 degrees;
   /// - the same heading, up to two diagonals of the body away, in 24 directions.
