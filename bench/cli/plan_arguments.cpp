@@ -93,6 +93,17 @@ void PlanArguments::add_driving_to(CLI::App& command) {
                   "With which the plan begins, negative backwards; default: 0, at rest. With --queries of each plan")
       ->type_name("M/S");
   command.add_option("--goal-speed", goal_speed, "With which the plan ends; likewise")->type_name("M/S");
+  CLI::Option* preferred =
+      command
+          .add_option("--prefer-clearance", prefer_clearance,
+                      "Keep the body so far from obstacles where there is room: driving closer costs")
+          ->type_name("M");
+  command
+      .add_option("--clearance-cost", clearance_cost,
+                  "Of each meter driven closer than --prefer-clearance; default: " +
+                      shortest_text(ClearancePreference::kHighCost))
+      ->type_name("S/M")
+      ->needs(preferred);
   CLI::Option* named =
       command
           .add_option("--moving", moving, "Moving obstacles, as JSON: the plan waits for them, or drives more slowly")
@@ -184,8 +195,20 @@ PlannerOptions PlanArguments::planner_options(const ProcessGroup& process_group)
     throw UsageError("--refine-trials: at most " + std::to_string(kMostTrials) + ", got " + in_quotes(refine_trials));
   options.refinement.max_trials = static_cast<std::uint32_t>(trials);
   options.leave_out = leave_out;
+  options.clearance_preference = clearance_preference();
   options.process_group = &process_group;
   return options;
+}
+
+std::optional<ClearancePreference> PlanArguments::clearance_preference() const {
+  if (prefer_clearance.empty()) return std::nullopt;
+  ClearancePreference preference{.distance = parse_number(prefer_clearance, "--prefer-clearance")};
+  if (!(preference.distance > 0.0))
+    throw UsageError("--prefer-clearance: above 0 m, got " + in_quotes(prefer_clearance));
+  if (clearance_cost.empty()) return preference;
+  preference.cost = parse_number(clearance_cost, "--clearance-cost");
+  if (preference.cost < 0.0) throw UsageError("--clearance-cost: at least 0 s/m, got " + in_quotes(clearance_cost));
+  return preference;
 }
 
 PlanLimits PlanArguments::limits() const {

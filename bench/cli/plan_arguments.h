@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "arcway/clearance_preference.h"
 #include "arcway/datasets/plan_io.h"
 #include "arcway/moving_obstacle.h"
 #include "arcway/planner.h"
@@ -36,6 +37,7 @@ struct PlanArguments {
   std::vector<MovingObstacle> obstacles;  ///< of the file `moving`
   std::string refine_trials = std::to_string(RefineOptions{}.max_trials);
   std::vector<std::string> leave_out;
+  std::string prefer_clearance, clearance_cost;
   std::string svg, json, csv, ros_path;
   std::string sample_step;
   std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "axes", "markers"};
@@ -56,6 +58,7 @@ struct PlanArguments {
   [[nodiscard]] std::vector<std::string> outputs() const { return {out, svg, json, csv, ros_path}; }
   /// @throws UsageError, as the next ones.
   [[nodiscard]] PlannerOptions planner_options(const ProcessGroup& process_group) const;
+  [[nodiscard]] std::optional<ClearancePreference> clearance_preference() const;
   [[nodiscard]] PlanLimits limits() const;
   [[nodiscard]] double cusp_cost_seconds() const;  ///< 0 if not given
   [[nodiscard]] std::optional<std::uint32_t> most_gear_changes() const;

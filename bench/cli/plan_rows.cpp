@@ -68,6 +68,9 @@ std::string result_rows(const PlanResult& result) {
                   (result.lower_bound > 0.0 ? ", gap " + fixed(100.0 * result.optimality_gap(), 2) + " %" : ""));
   text += row("smallest clearance",
               (result.clearance_is_lower_bound ? "at least " : "") + fixed(result.min_clearance, 6) + " m");
+  if (const auto& close = result.close_driving)
+    text += row("driven closer", fixed(close->length, 3) + " m, closer than " + shortest_text(close->distance) +
+                                     " m; with that the plan costs " + fixed(result.cost(), 3) + " s");
   for (const ZoneStay& stay : zone_stays(result))
     text += row("in zone", zone_text(result.scene->world.zones()[stay.zone], stay.zone) + ", " + fixed(stay.time, 3) +
                                " s, " + fixed(stay.length, 3) + " m");

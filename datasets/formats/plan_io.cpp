@@ -90,6 +90,18 @@ void append_zones(std::string& out, const PlanResult& result) {
   out += ']';
 }
 
+// The cost of a plan that prefers clearance, and what is driven close.
+void append_close_driving(std::string& out, const PlanResult& result) {
+  if (!result.close_driving) return;
+  append_member(out, "cost", result.cost());
+  append_key(out, "close_driving");
+  out += R"({"distance":)";
+  append_number(out, result.close_driving->distance);
+  append_member(out, "length", result.close_driving->length);
+  append_member(out, "cost", result.close_driving->cost);
+  out += '}';
+}
+
 }  // namespace
 
 std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::optional<VehicleParameters>& robot) {
@@ -119,6 +131,7 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   }
   append_member(out, "lower_bound", result.lower_bound);
   if (result.solved()) append_member(out, "min_clearance", result.min_clearance);
+  append_close_driving(out, result);
   append_zones(out, result);
   append_key(out, "path");
   out += '[';
@@ -200,10 +213,10 @@ std::string path_to_nav_msgs(const Trajectory& trajectory, std::string_view fram
 namespace {
 
 PlanFile plan_of(const JsonPlace& plan) {
-  plan.allow_keys({"format",     "version",      "q",           "status",        "reason",     "certainty",
-                   "bottleneck", "interrupted",  "robot",       "start",         "goal",       "travel_time",
-                   "length",     "gear_changes", "lower_bound", "min_clearance", "zones",      "path",
-                   "statistics", "goal_index",   "passed",      "start_speed",   "goal_speed", "evasion"});
+  plan.allow_keys({"format",      "version",       "q",       "status", "reason",       "certainty",  "bottleneck",
+                   "interrupted", "robot",         "start",   "goal",   "travel_time",  "length",     "gear_changes",
+                   "lower_bound", "min_clearance", "zones",   "path",   "statistics",   "goal_index", "passed",
+                   "start_speed", "goal_speed",    "evasion", "cost",   "close_driving"});
   plan.require_format("arcway-plan", 1);
   PlanFile file;
   if (plan.has("q")) {

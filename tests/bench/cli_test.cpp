@@ -247,6 +247,25 @@ TEST_F(Tool, PlansBetweenEndsThatMove) {
   expect_bad_input(plan + " --start-speed 1 --waypoint 5,5", "--start-speed, --goal-speed: only to one goal");
 }
 
+TEST_F(Tool, KeepsClearanceWhereToldTo) {
+  const std::string plan = "plan " + map_ + kAround + " --json " + file("p.json");
+  const Run wide = run(plan + " --prefer-clearance 2");
+  ASSERT_EQ(wide.code, 0) << wide.err << wide.out;
+  EXPECT_NE(wide.out.find("driven closer       0.000 m, closer than 2 m; with that the plan costs"), std::string::npos)
+      << wide.out;
+  EXPECT_NE(read("p.json").find(R"("close_driving":{"distance":2,"length":0,"cost":0})"), std::string::npos);
+  EXPECT_EQ(run("validate " + map_ + " --path " + file("p.json")).code, 0);
+  ASSERT_EQ(run(plan + " --prefer-clearance 2 --clearance-cost 0").code, 0);
+  const std::string close = read("p.json");
+  EXPECT_NE(close.find(R"("close_driving":{"distance":2,"length":)"), std::string::npos);
+  EXPECT_EQ(close.find(R"("length":0,"cost":0})"), std::string::npos);
+  ASSERT_EQ(run(plan).code, 0);
+  EXPECT_EQ(read("p.json").find("close_driving"), std::string::npos);
+  expect_bad_input(plan + " --prefer-clearance 0", "--prefer-clearance: above 0 m, got \"0\"");
+  expect_bad_input(plan + " --prefer-clearance 1 --clearance-cost=-2", "--clearance-cost: at least 0 s/m, got \"-2\"");
+  expect_bad_input(plan + " --clearance-cost 2", "--prefer-clearance");
+}
+
 TEST_F(Tool, SamplesAsDenselyAsToldTo) {
   const std::string plan = "plan " + map_ + kAround;
   const std::string files = " --csv " + file("p.csv") + " --ros-path " + file("p.json");

@@ -66,12 +66,13 @@ TEST(JsonSchema, OfMovingObstaclesTakesWhatIsRead) {
 
 TEST_F(Tool, PlansAreAsTheirSchemaSays) {
   const std::string plan = "plan " + map_ + " --json " + file("p.json") + " --ros-path " + file("r.json");
-  for (const char* how : {" --start 10,10,0 --goal 50,50,90deg", " --start 10,10,0 --goal 30,30,0",
-                          " --start 10,10,0 --goal 10,14,180deg --reverse", " --start 10,10,0 --goal 10,10,0",
-                          " --start 10,10,0 --waypoint 50,10 --goal 50,50 --goal 10,50,0",
-                          " --start 10,10,0 --goal 50,50,0 --alternatives 2",
-                          " --start 10,10,0 --goal 50,50,0 --graph eager --backend reference",
-                          " --start 10,10,0 --goal 50,50,0 --time-limit 0"}) {
+  for (const char* how :
+       {" --start 10,10,0 --goal 50,50,90deg", " --start 10,10,0 --goal 30,30,0",
+        " --start 10,10,0 --goal 10,14,180deg --reverse", " --start 10,10,0 --goal 10,10,0",
+        " --start 10,10,0 --waypoint 50,10 --goal 50,50 --goal 10,50,0",
+        " --start 10,10,0 --goal 50,50,0 --alternatives 2",
+        " --start 10,10,0 --goal 50,50,0 --graph eager --backend reference",
+        " --start 10,10,0 --goal 50,50,0 --prefer-clearance 3", " --start 10,10,0 --goal 50,50,0 --time-limit 0"}) {
     static_cast<void>(run(plan + how));
     expect_valid("plan", read("p.json"));
     expect_valid("nav_msgs_path", read("r.json"));
