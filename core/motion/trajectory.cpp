@@ -21,6 +21,9 @@ namespace {
 /// Share by which claimed speeds and durations may differ from those that the vehicle can drive. Numbers of files are
 /// rounded; a larger share would let through motions that `at` cannot follow.
 constexpr double kClaimTolerance = 1e-6;
+/// By how much claimed durations may differ beside that [s]. Plans have segments that last less than a femtosecond, of
+/// which the times of both bounds are rounding alone.
+constexpr double kClaimSlack = 1e-9;
 /// Share of a step by which the last one may be longer, so that rounding adds no state right before the end.
 constexpr double kLastStep = 1e-12;
 
@@ -77,11 +80,11 @@ void check_claim(const TimedSegment& timed, const Vehicle& vehicle, std::size_t 
   }
   const double fastest = relaxed_segment_time(length, v1, limit, v3, a), top = std::max(v1, v3);
   const double slowest = top > 0.0 ? relaxed_segment_time(length, v1, top, v3, a) : INFINITY;
-  if (!(timed.duration >= fastest * (1.0 - kClaimTolerance))) {
+  if (!(timed.duration >= fastest * (1.0 - kClaimTolerance) - kClaimSlack)) {
     refuse(index, "duration is " + shortest_text(timed.duration) + " s, but the fastest motion takes " +
                       shortest_text(fastest) + " s");
   }
-  if (!(timed.duration <= slowest * (1.0 + kClaimTolerance)) || timed.duration == INFINITY) {
+  if (!(timed.duration <= slowest * (1.0 + kClaimTolerance) + kClaimSlack) || timed.duration == INFINITY) {
     refuse(index, "duration is " + shortest_text(timed.duration) + " s, but without braking below " +
                       shortest_text(top) + " m/s it takes at most " + shortest_text(slowest) +
                       " s; give segments with lower speeds");

@@ -227,6 +227,10 @@ TEST(Trajectory, RefusesMotionsThatTheVehicleCannotDrive) {
   const PathSegment line{{}, 30.0, 0.0};
   EXPECT_EQ(error({line, 0.0, 0.0, 2.74}), "no error");
   EXPECT_EQ(error({line, 0.0, 0.0, 2.74 + 1e-7}), "no error");
+  // Rounding of a femtosecond, in either direction.
+  const PathSegment shortest{{}, 4e-16, 0.0};
+  for (const double duration : {1e-16, 3e-16}) EXPECT_EQ(error({shortest, 2.4, 2.4, duration}), "no error");
+  EXPECT_NE(error({shortest, 2.4, 2.4, 1e-8}), "no error");
   EXPECT_EQ(error({line, 0.0, 0.0, 2.5}),
             "Trajectory: segment 0: duration is 2.5 s, but the fastest motion takes 2.74 s");
   EXPECT_EQ(error({line, 6.0, 6.0, 6.0}),
