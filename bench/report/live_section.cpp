@@ -14,8 +14,8 @@ Section live_section(const Results& results) {
                      "is, with its speed. Every motion is validated. `changed` is a planner that follows each change, "
                      "`rebuilt` one that is made anew. Processor times of a cycle: the change and planning on."},
       .figures = {},
-      .table = {{"planner", "cycles a second", "cycles", "change, median", "cycle, median", "99 %", "worst",
-                 "with a free motion", "to the goal", "to a stop", "resident after a tenth", "at the end"},
+      .table = {{"planner", "cycles a second", "change, median", "cycle, median", "99 %", "worst", "with a free motion",
+                 "to the goal", "to a stop", "resident after a tenth", "at the end"},
                 {},
                 1}};
   for (const Measurement* m : of_stage(results, "Live")) {
@@ -26,11 +26,10 @@ Section live_section(const Results& results) {
     const auto share = [&](const char* counter) { return number_text("%.1f", 100.0 * value(counter)) + " %"; };
     const auto megabytes = [&](const char* counter) { return number_text("%.1f", 1e-6 * value(counter)) + " MB"; };
     const SeriesPlace place = place_of(m->name);
-    section.table.rows.push_back({place.variant, count_text(place.size), count_text(value("batch")),
-                                  time_text(value("change_seconds_median")), time_text(value("cycle_seconds_median")),
-                                  time_text(value("cycle_seconds_p99")), time_text(value("cycle_seconds_worst")),
-                                  share("motion_share"), share("goal_share"), share("stop_share"),
-                                  megabytes("resident_bytes_early"), megabytes("resident_bytes")});
+    section.table.rows.push_back({place.variant, count_text(place.size), time_text(value("change_seconds_median")),
+                                  time_text(value("cycle_seconds_median")), time_text(value("cycle_seconds_p99")),
+                                  time_text(value("cycle_seconds_worst")), share("motion_share"), share("goal_share"),
+                                  share("stop_share"), megabytes("resident_bytes_early"), megabytes("resident_bytes")});
   }
   return section;
 }
