@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/file_io.h"
+#include "arcway/datasets/filter_mask.h"
 #include "arcway/datasets/paper_example.h"
 #include "arcway/datasets/robot.h"
 #include "bench/cli/standard_streams.h"
@@ -136,6 +138,48 @@ void MapOptions::add_to(CLI::App& command, const std::string& map) {
   command.add_flag("--open-frame", open_frame, "The frame of a grid is no wall")->group(group);
   option("--task", task, "Task of a MovingAI scenario, from 0", "N")->capture_default_str();
   option("--heading-seed", heading_seed, "Seed of the headings of its start and goal", "N")->capture_default_str();
+  option("--keepout-mask", keepout_mask, "Keep-outs from a mask of Nav2's keepout filter: cells of 100", "FILE.yaml");
+  option("--speed-mask", speed_mask, "Speed limits from a mask of Nav2's speed filter", "FILE.yaml");
+  option("--mask-type", mask_type, "What the limits of the speed mask are: percent of the top speed, or absolute [m/s]",
+         "NAME")
+      ->capture_default_str();
+  option("--mask-base", mask_base, "Limit of the value 0 of the speed mask: limits are base + multiplier * value", "B")
+      ->capture_default_str();
+  option("--mask-multiplier", mask_multiplier, "Change of the limit by each unit of the value", "M")
+      ->capture_default_str();
+  option("--mask-max-speed", mask_max_speed, "The robot's top speed, of which percents are taken [m/s]", "V");
+}
+
+void MapOptions::add_masks(MapFile& map) const {
+  if (mask_type != "percent" && mask_type != "absolute")
+    throw UsageError("--mask-type: expected percent or absolute, got " + in_quotes(mask_type));
+  const auto add = [&](const std::string& file, const FilterMaskOptions& options) {
+    FilterMask mask = read_filter_mask(file, options);
+    // Places of zones for messages, where the map has them.
+    map.zone_places.resize(map.zones.size());
+    for (Zone& zone : mask.zones) {
+      map.zones.push_back(std::move(zone));
+      map.zone_places.push_back(file);
+    }
+    map.warnings.insert(map.warnings.end(), mask.warnings.begin(), mask.warnings.end());
+    map.notes.insert(map.notes.end(), mask.notes.begin(), mask.notes.end());
+    map.files.insert(map.files.end(), mask.files.begin(), mask.files.end());
+  };
+  FilterMaskOptions options;
+  if (!tolerance.empty()) options.tolerance = parse_number(tolerance, "--tolerance");
+  if (!keepout_mask.empty()) add(keepout_mask, options);
+  if (speed_mask.empty()) return;
+  options.type = mask_type == "percent" ? FilterMaskType::kSpeedPercent : FilterMaskType::kSpeed;
+  options.base = parse_number(mask_base, "--mask-base");
+  options.multiplier = parse_number(mask_multiplier, "--mask-multiplier");
+  if (options.type == FilterMaskType::kSpeedPercent) {
+    if (mask_max_speed.empty())
+      throw UsageError(
+          "--speed-mask: limits in percent need the robot's top speed, --mask-max-speed V; or --mask-type absolute");
+    options.max_speed = parse_number(mask_max_speed, "--mask-max-speed");
+    if (!(options.max_speed > 0.0)) throw UsageError("--mask-max-speed: above 0, got " + in_quotes(mask_max_speed));
+  }
+  add(speed_mask, options);
 }
 
 MapReadOptions MapOptions::read_options() const {
@@ -188,7 +232,9 @@ MapFile read_named_map(const std::string& given, const MapOptions& options, bool
   read_options.vector.as_written = as_written;
   const bool is_file = std::filesystem::is_regular_file(name), generated = is_catalog_name(name) && !is_file;
   if (!is_file && !generated && name.find('.') == std::string::npos) refuse_family(name);
-  return generated ? catalog_map(name) : read_map(name, read_options);
+  MapFile map = generated ? catalog_map(name) : read_map(name, read_options);
+  options.add_masks(map);
+  return map;
 }
 
 void close_for(const Vehicle& vehicle, LoadedMap& map) {
@@ -208,6 +254,9 @@ LoadedMap load_map(const std::string& given, const MapOptions& options) {
     if (options.lonlat || options.polygons == "free")
       loaded.warnings.push_back(name +
                                 ": a prepared map has obstacles in meters; --lonlat and --polygons are not used");
+    if (!options.keepout_mask.empty() || !options.speed_mask.empty())
+      throw UsageError(name +
+                       ": a prepared map has its zones; give --keepout-mask and --speed-mask to `arcway prepare`");
     return loaded;
   }
   MapFile map = read_named_map(name, options);

@@ -131,10 +131,14 @@ struct MapOptions {
   std::string cell, tolerance, unknown = "blocked", free_letters;
   bool swamp = false, open_frame = false;
   std::string task = "0", heading_seed = "1";
+  std::string keepout_mask, speed_mask, mask_type = "percent", mask_base = "0", mask_multiplier = "1", mask_max_speed;
   /// @param map  what the help text calls the file.
   void add_to(CLI::App& command, const std::string& map = "WORLD");
   /// @throws UsageError
   [[nodiscard]] MapReadOptions read_options() const;
+  /// Adds the zones of the masks.
+  /// @throws UsageError, FileError, FormatError
+  void add_masks(MapFile& map) const;
 };
 /// Reads a map without checking it.
 /// @param name  a file in one of the formats of read_map, or a world of the catalog if there is no such file.

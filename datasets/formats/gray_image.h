@@ -24,4 +24,8 @@ GrayImage read_pgm(std::string_view bytes, std::string_view name, std::size_t ma
 /// @throws FormatError with what libpng says.
 GrayImage read_png(std::string_view bytes, std::string_view name, std::size_t max_pixels);
 
+/// Reads either of them, told by the content.
+/// @throws FormatError also if it is neither.
+GrayImage read_gray_image(std::string_view bytes, std::string_view name, std::size_t max_pixels);
+
 }  // namespace arcway::internal

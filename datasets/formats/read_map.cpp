@@ -1,6 +1,5 @@
 #include "arcway/datasets/read_map.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -17,8 +16,7 @@
 #include "datasets/formats/tpcap.h"
 #include "datasets/formats/vertex_list.h"
 #include "datasets/grid/grid_map.h"
-#include "datasets/io/gzip.h"
-#include "datasets/io/shortened.h"
+#include "datasets/io/input_files.h"
 
 namespace arcway {
 
@@ -26,41 +24,6 @@ using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_expanded(const fs::path& path) {
-  std::string bytes = read_file(path);
-  return is_gzip(bytes) ? expand_gzip(bytes, path.string()) : bytes;
-}
-
-// A file that another one names: by its path from there, or beside it, as it is or compressed.
-fs::path find_beside(const fs::path& path, const std::string& named) {
-  const fs::path folder = path.parent_path();
-  std::string slashed = named;
-  std::ranges::replace(slashed, '\\', '/');  // as written on Windows
-  for (const fs::path& candidate : {folder / named, folder / slashed, folder / fs::path(slashed).filename()}) {
-    for (const char* ending : {"", ".gz"}) {
-      fs::path file = candidate;
-      file += ending;
-      std::error_code error;
-      const fs::file_status status = fs::status(file, error);
-      if (fs::exists(status) && !fs::is_directory(status)) return file;
-    }
-  }
-  throw FileError(path.string() + " needs another file: cannot read " +
-                  shortened((folder / named).string(), kMostOfParser) + ": No such file or directory, nor is " +
-                  shortened(fs::path(slashed).filename().string()) + " beside it");
-}
-
-GrayImage read_image(std::string_view bytes, const fs::path& path, const GridOptions& options) {
-  switch (detect_format(bytes, path.string())) {
-    case MapFormat::kPgm:
-      return read_pgm(bytes, path.string(), options.max_cells);
-    case MapFormat::kPng:
-      return read_png(bytes, path.string(), options.max_cells);
-    default:
-      throw FormatError(path.string() + ": expected a PGM or PNG image");
-  }
-}
 
 MapFile read_grid_map(const RosMap& map, const GrayImage& image, const fs::path& path, const GridOptions& options) {
   std::vector<std::string> warnings;
@@ -73,7 +36,8 @@ MapFile read_grid_map(const RosMap& map, const GrayImage& image, const fs::path&
 MapFile read_ros_files(std::string_view yaml, const fs::path& path, const GridOptions& options) {
   const RosMap map = read_ros_map(yaml, path.string());
   const fs::path image_path = find_beside(path, map.image);
-  MapFile result = read_grid_map(map, read_image(read_expanded(image_path), image_path, options), path, options);
+  MapFile result = read_grid_map(
+      map, read_gray_image(read_expanded(image_path), image_path.string(), options.max_cells), path, options);
   result.files.push_back(image_path);
   return result;
 }
@@ -82,7 +46,7 @@ MapFile read_bare_image(std::string_view bytes, const fs::path& path, const Grid
   RosMap map;
   map.occupied_thresh = map.free_thresh = 0.5;
   map.resolution = options.cell_size.value_or(map.resolution);
-  MapFile result = read_grid_map(map, read_image(bytes, path, options), path, options);
+  MapFile result = read_grid_map(map, read_gray_image(bytes, path.string(), options.max_cells), path, options);
   if (!options.cell_size)
     result.warnings.push_back(path.string() + ": an image without a YAML file does not say how large its pixels are; " +
                               shortest_text(map.resolution) + " m is assumed (--cell)");

@@ -127,6 +127,21 @@ Cell cell_of(const RosMap& map, double shade) {
   return occupancy <= map.free_thresh ? Cell::kFree : Cell::kUnknown;
 }
 
+constexpr std::int8_t kUnknownPercent = -1;
+
+std::int8_t percent_of(const RosMap& map, double shade) {
+  if (map.mode == RosMap::Mode::kRaw) {
+    const double value = std::round(shade * 255.0);
+    return value <= 100.0 ? static_cast<std::int8_t>(value) : kUnknownPercent;
+  }
+  const double occupancy = map.negate ? shade : 1.0 - shade;
+  if (occupancy >= map.occupied_thresh) return 100;
+  if (occupancy <= map.free_thresh) return 0;
+  if (map.mode == RosMap::Mode::kTrinary) return kUnknownPercent;
+  const double share = (occupancy - map.free_thresh) / (map.occupied_thresh - map.free_thresh);
+  return static_cast<std::int8_t>(std::round(100.0 * share));
+}
+
 }  // namespace
 
 RosMap read_ros_map(std::string_view yaml, std::string_view name) {
@@ -165,6 +180,25 @@ OccupancyGrid to_grid(const RosMap& map, const GrayImage& image, std::string_vie
     warnings.push_back(std::string(name) +
                        ": gray 205, by which maps mark the unknown, reads as free with free_thresh " +
                        shortest_text(map.free_thresh) + "; 0.196 keeps it unknown");
+  warn_of_keys(map, name, warnings);
+  return grid;
+}
+
+std::vector<std::int8_t> to_percents(const RosMap& map, const GrayImage& image) {
+  std::vector<std::int8_t> percents(image.max_value + 1);  // by gray
+  for (std::uint32_t gray = 0; gray <= image.max_value; ++gray)
+    percents[gray] = percent_of(map, static_cast<double>(gray) / image.max_value);
+  std::vector<std::int8_t> rows;
+  rows.reserve(image.samples.size());
+  for (std::size_t y = image.height; y-- > 0;)
+    for (std::size_t i = y * image.width; i < (y + 1) * image.width; ++i) {
+      const bool masked = !image.transparent.empty() && image.transparent[i] && map.mode != RosMap::Mode::kRaw;
+      rows.push_back(masked ? kUnknownPercent : percents[image.samples[i]]);
+    }
+  return rows;
+}
+
+void warn_of_keys(const RosMap& map, std::string_view name, std::vector<std::string>& warnings) {
   for (const std::string& key : map.unread_keys) {
     const std::string_view nearest = nearest_word(key, kKeys);
     warnings.push_back(std::string(name) + ": key " + detail::quoted(key) + " is not read" +
@@ -173,7 +207,6 @@ OccupancyGrid to_grid(const RosMap& map, const GrayImage& image, std::string_vie
   if (map.origin.heading != 0.0)
     warnings.push_back(std::string(name) + ": the map is turned by " + shortest_text(map.origin.heading) +
                        " rad, which many programs ignore");
-  return grid;
 }
 
 }  // namespace arcway::internal

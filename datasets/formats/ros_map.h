@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +34,14 @@ RosMap read_ros_map(std::string_view yaml, std::string_view name);
 /// @param warnings  is added to if unknown gray (205 of 255) reads as free or the map is turned.
 OccupancyGrid to_grid(const RosMap& map, const GrayImage& image, std::string_view name,
                       std::vector<std::string>& warnings);
+
+/// The occupancy of each pixel in percent, as the present map_server publishes it: 0 to 100, -1 unknown. Row 0 is the
+/// lowest one. In mode scale, values between the thresholds are spread over 0 to 100. Other modes are those of to_grid,
+/// but mode raw keeps all values up to 100.
+std::vector<std::int8_t> to_percents(const RosMap& map, const GrayImage& image);
+
+/// Says which keys of a file were not read, and whether the map is turned.
+/// @param warnings  is added to.
+void warn_of_keys(const RosMap& map, std::string_view name, std::vector<std::string>& warnings);
 
 }  // namespace arcway::internal

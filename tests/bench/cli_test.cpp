@@ -716,6 +716,32 @@ TEST_F(Tool, MapsOfWallsAloneAreNotEmpty) {
   EXPECT_EQ(run("plan " + walls + kAround + " --wall-width 0.5").code, 0);
 }
 
+TEST_F(Tool, ReadsMasksOfFiltersAsZones) {
+  put("mask.pgm", "P2\n3 1\n255\n255 0 102\n");
+  const std::string mask = put("mask.yaml",
+                               "image: mask.pgm\nresolution: 2\norigin: [-8, -4, 0]\nnegate: 0\n"
+                               "occupied_thresh: 1\nfree_thresh: 0\nmode: scale\n");
+  const Run keepout = run("convert " + map_ + " " + file("k.geojson") + " --keepout-mask " + mask);
+  ASSERT_EQ(keepout.code, 0) << keepout.err;
+  EXPECT_NE(read("k.geojson")
+                .find(R"({"role":"keepout","name":"mask"},"geometry":{"type":"Polygon","coordinates":)"
+                      "[[[-6,-4],[-4,-4],[-4,-2],[-6,-2],[-6,-4]]]"),
+            std::string::npos)
+      << read("k.geojson");
+  const std::string speeds = " --speed-mask " + mask + " --mask-base 100 --mask-multiplier -0.5";
+  ASSERT_EQ(run("convert " + map_ + " " + file("s.geojson") + speeds + " --mask-max-speed 2").code, 0);
+  for (const char* limit : {R"("max_speed":1})", R"("max_speed":1.4})"})
+    EXPECT_NE(read("s.geojson").find(limit), std::string::npos) << read("s.geojson");
+  ASSERT_EQ(run("convert " + map_ + " " + file("a.geojson") + speeds + " --mask-type absolute").code, 0);
+  EXPECT_NE(read("a.geojson").find(R"("max_speed":70})"), std::string::npos) << read("a.geojson");
+  EXPECT_EQ(run("plan " + map_ + kAround + " --keepout-mask " + mask).code, 0);
+  expect_bad_input("plan " + map_ + kAround + speeds, "limits in percent need the robot's top speed, --mask-max-speed");
+  expect_bad_input("plan " + map_ + kAround + speeds + " --mask-type knots", "expected percent or absolute, got");
+  expect_bad_input("plan " + map_ + kAround + speeds + " --mask-max-speed 0", "--mask-max-speed: above 0, got");
+  ASSERT_EQ(run("prepare " + map_ + " --out " + file("m.arcway") + " --keepout-mask " + mask).code, 0);
+  expect_bad_input("plan " + file("m.arcway") + kAround + " --keepout-mask " + mask, "a prepared map has its zones");
+}
+
 TEST_F(Tool, SaysSoWhereStandardOutputCannotBeWritten) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   for (const std::string& arguments : {"plan " + map_ + kAround, std::string("plan --help")}) {
