@@ -117,7 +117,7 @@ ChainContacts::Place ChainContacts::look_from_arc(const ArcChain& chain, const C
     if (passes(chain, i, d, 0.0, 1.0)) nearer(arc.radius - r - inwards, kInside);
     return place;
   }
-  const double outwards = outwards_on(chain, i);
+  const double outwards = outwards_on(arc, part);
   if (passes(chain, i, d, front(part), outwards)) nearer(r - norm_of(front(part), outwards), kFrontCorner);
   if (passes(chain, i, d, -rear(part), outwards)) nearer(r - norm_of(rear(part), outwards), kRearCorner);
   return place;
@@ -148,7 +148,7 @@ ChainContacts::Place ChainContacts::look_at(const ArcChain& chain, const Edge& e
   const std::size_t i = edge.arc;
   const ArcChain::Arc& arc = chain.arcs[i];
   const std::uint32_t part = 2 * edge.arc + 1;
-  const double outwards = outwards_on(chain, i);
+  const double outwards = outwards_on(arc, part);
   Place nearest{part, kNothing, kInfinity};
   const auto look = [&](const Vec2& corner, Kind kind) {
     const double along = edge.along.dot(corner - edge.from), distance = edge.outwards.dot(corner - edge.from);
@@ -186,7 +186,7 @@ double ChainContacts::room(const ArcChain& chain, std::size_t contact, double ne
   if (contact < corners_.size()) return 0.0;
   const Edge& edge = edges_[contact - corners_.size()];
   const ArcChain::Arc& arc = chain.arcs[edge.arc];
-  const double outwards = outwards_on(chain, edge.arc), swing = norm_of(edge.ahead, outwards);
+  const double outwards = outwards_on(arc, 2 * edge.arc + 1), swing = norm_of(edge.ahead, outwards);
   const double turn = chain.turn(edge.arc);
   const double half = turn < kBentTurn ? 0.5 * swing * turn : kInfinity;
   const Vec2 heading = (chain.lines[edge.arc].ahead + chain.lines[edge.arc + 1].ahead).normalized();
@@ -253,15 +253,14 @@ Term ChainContacts::arc_term(const ArcChain& chain, const Corner& corner, const 
   if (place.kind == kInside) {
     term.gradient[kRadius] = 1.0;
   } else {
-    set_swing(place.kind == kFrontCorner ? front(place.part) : rear(place.part), outwards_on(chain, place.index()),
-              term);
+    set_swing(place.kind == kFrontCorner ? front(place.part) : rear(place.part), outwards_on(arc, place.part), term);
   }
   return term;
 }
 
 Term ChainContacts::edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const {
   const ArcChain::Arc& arc = chain.arcs[edge.arc];
-  const double outwards = outwards_on(chain, edge.arc);
+  const double outwards = outwards_on(arc, place.part);
   Term term;
   term.value = place.distance;
   term.gradient.segment<2>(kCenterX) = edge.outwards;
@@ -287,8 +286,7 @@ void ChainContacts::find(const ArcChain& chain, const World& world, const Outlin
   edges_.clear();
   sights_.clear();
   const auto parts = static_cast<std::uint32_t>(2 * chain.arcs.size() + 1);
-  growths_.assign(parts, 0.0);
-  std::ranges::copy(bodies.growths, growths_.begin());
+  growths_.assign(bodies.growths.begin(), bodies.growths.end());
   for (std::uint32_t part = 0; part < parts; ++part) find_near(chain, part, world, outlines, reach);
   std::ranges::sort(sights_, {}, [](const Sight& s) { return std::pair(s.vertex, s.part); });
   for (std::size_t first = 0; first < sights_.size();) {

@@ -82,19 +82,20 @@ class ChainContacts {
   [[nodiscard]] Term edge_term(const ArcChain& chain, const Edge& edge, const Place& place) const;
   [[nodiscard]] bool is_seen(const Place& place) const;
   [[nodiscard]] double body_length() const { return body_.length(); }
+  [[nodiscard]] double growth(std::uint32_t part) const { return growths_.empty() ? 0.0 : growths_[part]; }
   // How far the body on a part reaches to the left, by a sign of +1, or to the right; ahead and behind.
   [[nodiscard]] double beside(double sign, std::uint32_t part) const {
-    return (sign > 0.0 ? body_.left : body_.right) + growths_[part];
+    return (sign > 0.0 ? body_.left : body_.right) + growth(part);
   }
-  [[nodiscard]] double front(std::uint32_t part) const { return body_.front + growths_[part]; }
-  [[nodiscard]] double rear(std::uint32_t part) const { return body_.rear + growths_[part]; }
+  [[nodiscard]] double front(std::uint32_t part) const { return body_.front + growth(part); }
+  [[nodiscard]] double rear(std::uint32_t part) const { return body_.rear + growth(part); }
   // How far its outer side lies from the center of an arc.
-  [[nodiscard]] double outwards_on(const ArcChain& chain, std::size_t arc) const {
-    return chain.arcs[arc].radius + beside(-chain.arcs[arc].sign, static_cast<std::uint32_t>(2 * arc + 1));
+  [[nodiscard]] double outwards_on(const ArcChain::Arc& arc, std::uint32_t part) const {
+    return arc.radius + beside(-arc.sign, part);
   }
 
   Footprint body_{};
-  std::vector<double> growths_;  // by part [m]
+  std::vector<double> growths_;  // by part [m]; empty: none
   std::vector<Corner> corners_;
   std::vector<Edge> edges_;
   std::vector<Sight> sights_;
