@@ -78,10 +78,17 @@ double time_lost_on_arcs(double arcs, const Vehicle& vehicle, const EndSpeeds& e
   return lost(start_out, at_start) + lost(goal_out, arcs - at_start);
 }
 
+// The ends of paths, and a length that each has at least.
+struct Apart {
+  Vec2 start, goal;
+  double length;
+};
+
 // The time of the shortest path if the limits in the discs about its ends are all that slows it down; 0 if neither end
 // lies in a zone.
-double slow_ends_time(const Vec2& start, const Vec2& goal, double length, const Vehicle& vehicle, const EndSpeeds& ends,
-                      const SpeedZones& zones) {
+double slow_ends_time(const Apart& apart, const Vehicle& vehicle, const EndSpeeds& ends, const SpeedZones& zones) {
+  const Vec2 &start = apart.start, &goal = apart.goal;
+  const double length = apart.length;
   const SpeedZones::Disc first = zones.disc_around(start), last = zones.disc_around(goal);
   const double top = vehicle.max_speed(), a = vehicle.max_acceleration();
   if (first.cap >= top && last.cap >= top) return 0.0;
@@ -127,7 +134,7 @@ double travel_time_lower_bound(const Pose& start, const Pose& goal, double dista
   if (!(length > 0.0) || std::isinf(length)) return length;
   const double straight = relaxed_segment_time(length, v0, vehicle.max_speed(), v1, a);
   const double slow_ends =
-      zones != nullptr ? slow_ends_time(start.position(), goal.position(), length, vehicle, ends, *zones) : 0.0;
+      zones != nullptr ? slow_ends_time({start.position(), goal.position(), length}, vehicle, ends, *zones) : 0.0;
   return (1.0 - (ends.is_moving() ? kMovingTolerance : kBoundRounding)) *
          std::max(straight + time_lost_on_arcs(arcs, vehicle, ends), slow_ends);
 }
