@@ -48,7 +48,9 @@ Driven drive(LivePlanner& planner, std::uint64_t seed) {
     std::size_t there = 0, changed = 0;
     for (std::size_t o = 0; o < after.size(); ++o) {
       there += after[o].is_there;
-      if (after[o].is_there) EXPECT_NE(planner.world().obstacle_with(after[o].key), kNone);
+      if (after[o].is_there) {
+        EXPECT_NE(planner.world().obstacle_with(after[o].key), kNone);
+      }
       const bool vanished = before[o].is_there && !after[o].is_there, back = !before[o].is_there && after[o].is_there;
       const bool moved = before[o].is_there && after[o].is_there && before[o].key != after[o].key;
       driven.vanished += vanished;
