@@ -40,7 +40,7 @@ struct PlanArguments {
   std::string prefer_clearance, clearance_cost;
   std::string svg, json, csv, ros_path;
   std::string sample_step;
-  std::vector<std::string> svg_layers{"bounds", "obstacles", "swept", "path", "robot", "axes", "markers"};
+  std::vector<std::string> svg_layers{"bounds", "obstacles", "zones", "swept", "path", "robot", "axes", "markers"};
   std::string svg_view = "map", svg_color = "gear";
   bool svg_inset = false;
   BuildOptions build;

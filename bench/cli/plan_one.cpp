@@ -91,6 +91,8 @@ std::string picture(const PlanArguments& arguments, const Planner& planner, cons
   if (arguments.svg_view == "map" && !planner.world().box().empty()) {
     view.extend(planner.world().box().min);
     view.extend(planner.world().box().max);
+    for (const Zone& zone : planner.world().zones())
+      for (const Vec2& p : zone.area.outer) view.extend(p);
   } else {
     const double reach = body.front + body.rear + 0.05 * (view.max - view.min).maxCoeff();
     view.extend(Vec2(view.min.array() - reach));

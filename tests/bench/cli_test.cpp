@@ -85,6 +85,26 @@ std::string bar(const std::string& x, const std::string& more) {
          more + "}]}";
 }
 
+TEST_F(Tool, DrawsZonesAndDrivesAroundThem) {
+  const auto feature = [](const std::string& properties, const std::string& ring) {
+    return R"({"type":"Feature","properties":{)" + properties + R"(},"geometry":{"type":"Polygon","coordinates":[)" +
+           ring + "]}}";
+  };
+  put("z.geojson",
+      R"({"type":"FeatureCollection","features":[)" + feature("", "[[20,10],[40,10],[40,20],[20,20],[20,10]]") + "," +
+          feature(R"("role":"speed_limit","max_speed":1,"name":"yard")", "[[22,20],[38,20],[38,30],[22,30],[22,20]]") +
+          "," +
+          feature(R"("role":"one_way","heading":3.1,"tolerance":0.5,"name":"lane")",
+                  "[[18,0],[42,0],[42,10],[18,10],[18,0]]") +
+          "]}");
+  const Run plan = run("plan " + file("z.geojson") + " --start 5,12,0 --goal 58,12,0 --svg " + file("z.svg"));
+  ASSERT_EQ(plan.code, 0) << plan.err << plan.out;
+  EXPECT_EQ(plan.out.find("in zone"), std::string::npos) << plan.out;
+  const std::string svg = read("z.svg");
+  EXPECT_NE(svg.find("id=\"zones\""), std::string::npos);
+  for (const char* name : {"yard", "lane"}) EXPECT_NE(svg.find(name), std::string::npos) << name;
+}
+
 TEST_F(Tool, EvadesMovingObstacles) {
   const std::string plan = "plan " + map_ + kAround + " --json " + file("p.json");
   const std::string validate = "validate " + map_ + " --path " + file("p.json") + " --moving " + file("m.json");
