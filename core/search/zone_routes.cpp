@@ -6,8 +6,10 @@
 #include <queue>
 #include <utility>
 
+#include "arcway/angle.h"
 #include "arcway/executor.h"
 #include "core/base/infinity.h"
+#include "core/zones/one_way_zones.h"
 #include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
@@ -24,8 +26,9 @@ constexpr double kLongestDescent = 16.0;               // in half the border of 
 // A place is left out if that costs no more than this share of the time between its neighbors. At first that is
 // rounding, in the end what matters little.
 constexpr double kSavesTime = 1e-9, kMattersLittle = 5e-4;
-constexpr int kRouteRounds = 3;    // of moves of all places
-constexpr int kRouteHalvings = 6;  // of the length of a move, from a step of the grid on
+constexpr int kTriedDirections = 8;  // of motions at a place
+constexpr int kRouteRounds = 3;      // of moves of all places
+constexpr int kRouteHalvings = 6;    // of the length of a move, from a step of the grid on
 
 }  // namespace
 
@@ -186,6 +189,17 @@ class ZoneRoutes::Search {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
+namespace {
+
+// Whether F may drive any way at a place. What a zone forbids shows in one of some directions, if not in all.
+bool is_any_way_allowed(const OneWayZones& zones, const Vec2& p) {
+  for (int i = 0; i < kTriedDirections; ++i)
+    if (zones.zone_against({p.x(), p.y(), kTwoPi * i / kTriedDirections}, Gear::kForward) != kNone) return false;
+  return true;
+}
+
+}  // namespace
+
 ZoneRoutes::Grid ZoneRoutes::make_grid(const StopClock& clock) const {
   Box box;
   for (const Zone& zone : map_.world.zones())
@@ -205,8 +219,9 @@ ZoneRoutes::Grid ZoneRoutes::make_grid(const StopClock& clock) const {
       end_if_over(ticker);
       const Vec2 p = grid.corner + grid.step * Vec2(static_cast<double>(column) + 0.5 * static_cast<double>(row % 2),
                                                     kRowDistance * static_cast<double>(row));
-      const bool is_blocked =
-          map_.queries.distance->containing(p) != kNone || map_.queries.distance->closest(p).distance < narrow;
+      const bool is_blocked = map_.queries.distance->containing(p) != kNone ||
+                              map_.queries.distance->closest(p).distance < narrow ||
+                              (map_.one_way_zones && !is_any_way_allowed(*map_.one_way_zones, p));
       grid.speeds.push_back(is_blocked ? 0.0 : std::min(top, map_.speed_zones->cap_at(p)));
     }
   return grid;
@@ -216,7 +231,9 @@ double ZoneRoutes::time_between(const Vec2& from, const Vec2& to, std::vector<Sp
   const Vec2 d = to - from;
   if (d.isZero(0.0)) return 0.0;
   if (!map_.queries.visibility->visible({from, to})) return kInfinity;
-  map_.speed_zones->cut({{from.x(), from.y(), std::atan2(d.y(), d.x())}, d.norm(), 0.0}, parts);
+  const PathSegment line{{from.x(), from.y(), std::atan2(d.y(), d.x())}, d.norm(), 0.0};
+  if (map_.one_way_zones && !map_.one_way_zones->allows_line(line.start, line.length, Gear::kForward)) return kInfinity;
+  map_.speed_zones->cut(line, parts);
   double time = 0.0;
   for (const SpeedZones::Stretch& part : parts) time += part.length / std::min(map_.vehicle.max_speed(), part.cap);
   return time;

@@ -18,7 +18,8 @@ namespace arcway::internal {
 /// them where that pays. They guide searches and prove nothing. Acceleration and turns are left out.
 ///
 /// 1. Fast marching over a grid of equilateral triangles gives the times from all nodes to a place [Kimmel and Sethian
-///    1998]. Nodes within half a body's width of an obstacle are blocked.
+///    1998]. Nodes within half a body's width of an obstacle are blocked, and nodes in one-way zones: fronts know no
+///    direction.
 /// 2. The route follows the steepest descent.
 /// 3. Places are left out and moved as long as that saves time, by the exact times of the lines between them.
 ///

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "arcway/angle.h"
 #include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
@@ -74,6 +75,19 @@ TEST(ZoneRoutes, LeadAcrossItWhereWallsLeaveNoOtherWay) {
   ASSERT_TRUE(across);
   EXPECT_LE(across->time, time_of(30.0, 20.0, 0.25) * 1.001);
   EXPECT_GE(across->time, time_of(30.0, 20.0, 0.25) * (1.0 - 1e-9));
+}
+
+// A lane beside the square, driven against the route: the other side is free.
+TEST(ZoneRoutes, AvoidOneWayZones) {
+  const World with_lane = field_with_a_square(0.25);
+  std::vector<Zone> zones(with_lane.zones().begin(), with_lane.zones().end());
+  zones.push_back({{box_ring(20.0, 0.0, 40.0, 10.0), {}}, OneWay{kPi, 0.5}});
+  for (const double from_y : {18.0, 22.0}) {  // the lane's side is the shorter one from the first
+    const auto around = route(with_lane.with_zones(zones), {5.0, from_y}, {55.0, from_y});
+    ASSERT_TRUE(around);
+    for (const Vec2& p : around->places) EXPECT_GE(p.y(), from_y - 1e-9);
+    EXPECT_LE(around->time, time_of(2.0 * std::hypot(15.0, 30.0 - from_y) + 20.0, 0.0, 1.0) * 1.01);
+  }
 }
 
 // A strip across the field: the fastest route bends at both of its borders.
