@@ -111,8 +111,11 @@ double angle_within(std::span<const HeadingInterval> headings, double heading, S
   std::vector<BlockedRange> blocked;
   for (const HeadingInterval& interval : headings) {
     const double begin = sign > 0.0 ? interval.low : interval.high, length = interval.high - interval.low;
-    for (double at = wrap_positive(sign * (begin - heading)) - kTwoPi; at <= angle; at += kTwoPi)
+    double at = wrap_positive(sign * (begin - heading)) - kTwoPi;
+    while (at <= angle) {
       if (at + length >= 0.0) blocked.push_back({std::max(at, 0.0), std::min(at + length, angle)});
+      at += kTwoPi;
+    }
   }
   return length_of_union(blocked);
 }

@@ -64,7 +64,7 @@ class ARCWAY_API Trajectory {
   /// @param world  that `clearance_at` measures in; none: that function needs a world.
   /// @throws std::invalid_argument without segments, or naming a segment that the vehicle cannot drive so. Its numbers
   ///   must be finite, its speeds within the limit and reached within the segment, and its duration that of the fastest
-  ///   motion. Speeds and durations may be off by a millionth.
+  ///   motion. Speeds and durations may be off by a millionth, durations by a nanosecond in any case.
   Trajectory(std::span<const TimedSegment> segments, const Vehicle& vehicle,
              const std::optional<World>& world = std::nullopt);
   /// A path with claimed speeds and durations or, if it has none, the fastest motion from rest to rest.
