@@ -16,6 +16,7 @@
 #include "arcway/validation.h"
 #include "arcway/zone_stay.h"
 #include "tests/support/boxes.h"
+#include "tests/support/depth_in.h"
 #include "tests/support/mirrored.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
@@ -29,22 +30,6 @@ constexpr double kStep = 1e-3;     // between samples [m]
 constexpr double kBorder = 2e-6;   // what the planner leaves out beside it, and rounding [m]
 constexpr double kHeading = 1e-8;  // likewise [rad]
 
-bool is_inside(const Polygon& area, const Vec2& p) {
-  double nearest = INFINITY;
-  bool inside = false;
-  std::vector<Ring> rings{area.outer};
-  rings.insert(rings.end(), area.holes.begin(), area.holes.end());
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      const double part = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-      nearest = std::min(nearest, (a + part * (b - a) - p).norm());
-      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-        inside = !inside;
-    }
-  return inside && nearest > kBorder;
-}
-
 // The first place along a path that is against a zone, among samples a millimeter apart; negative if there is none.
 double place_against(std::span<const Zone> zones, const Path& path) {
   double driven = 0.0;
@@ -56,7 +41,7 @@ double place_against(std::span<const Zone> zones, const Path& path) {
       for (const Zone& zone : zones)
         if (const auto* rule = std::get_if<OneWay>(&zone.rule))
           if (std::abs(std::remainder(direction - rule->heading, kTwoPi)) > rule->tolerance + kHeading &&
-              is_inside(zone.area, pose.position()))
+              test::depth_in(zone.area, pose.position()) > kBorder)
             return driven + (i + 0.5) * s.length / n;
     }
     driven += s.length;

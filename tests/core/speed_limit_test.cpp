@@ -12,6 +12,7 @@
 #include "arcway/validation.h"
 #include "arcway/zone_stay.h"
 #include "tests/support/boxes.h"
+#include "tests/support/depth_in.h"
 #include "tests/support/mirrored.h"
 #include "tests/support/random_inputs.h"
 
@@ -19,25 +20,9 @@ namespace arcway::internal {
 namespace {
 
 using test::box;
+using test::depth_in;
 
 constexpr double kStep = 1e-3;  // between samples [m]
-
-// How deep a point lies in an area [m]; negative outside.
-double depth_in(const Polygon& area, const Vec2& p) {
-  double nearest = INFINITY;
-  bool inside = false;
-  std::vector<Ring> rings{area.outer};
-  rings.insert(rings.end(), area.holes.begin(), area.holes.end());
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      const double part = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-      nearest = std::min(nearest, (a + part * (b - a) - p).norm());
-      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-        inside = !inside;
-    }
-  return inside ? nearest : -nearest;
-}
 
 double cap_at(const World& world, const Vec2& p, double border) {
   double cap = INFINITY;

@@ -8,31 +8,16 @@
 
 #include "arcway/angle.h"
 #include "tests/support/boxes.h"
+#include "tests/support/depth_in.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal::one_way_zones_test {
 namespace {
 
 using test::box;
+using test::depth_in;
 
 constexpr double kBorder = OneWayZones::kBorder;
-
-// How deep a point lies in an area [m]; negative outside.
-double depth_in(const Polygon& area, const Vec2& p) {
-  double nearest = INFINITY;
-  bool inside = false;
-  std::vector<Ring> rings{area.outer};
-  rings.insert(rings.end(), area.holes.begin(), area.holes.end());
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      const double part = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-      nearest = std::min(nearest, (a + part * (b - a) - p).norm());
-      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-        inside = !inside;
-    }
-  return inside ? nearest : -nearest;
-}
 
 // The largest depth of a place among the zones that its direction of motion is against by more than `slack` [rad].
 double depth_against(const std::vector<Zone>& zones, const Vec2& p, double direction, double slack) {

@@ -8,6 +8,7 @@
 
 #include "arcway/angle.h"
 #include "tests/support/boxes.h"
+#include "tests/support/depth_in.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -23,18 +24,9 @@ struct Sampled {
 Sampled sampled_cap(const std::vector<Zone>& zones, const Vec2& p, double border) {
   Sampled result{INFINITY, false};
   for (const Zone& zone : zones) {
-    bool inside = false;
-    std::vector<Ring> rings{zone.area.outer};
-    rings.insert(rings.end(), zone.area.holes.begin(), zone.area.holes.end());
-    for (const Ring& ring : rings)
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        const double part = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        result.near_border = result.near_border || (a + part * (b - a) - p).norm() < border;
-        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-          inside = !inside;
-      }
-    if (inside) result.cap = std::min(result.cap, std::get<SpeedLimit>(zone.rule).max_speed);
+    const double depth = test::depth_in(zone.area, p);
+    result.near_border = result.near_border || std::abs(depth) < border;
+    if (depth > 0.0) result.cap = std::min(result.cap, std::get<SpeedLimit>(zone.rule).max_speed);
   }
   return result;
 }
