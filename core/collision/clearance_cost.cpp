@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arcway/angle.h"
+#include "core/collision/motion_free.h"
 #include "core/collision/turning_headings.h"
 
 namespace arcway::internal {
@@ -21,13 +22,6 @@ void visit_edges(const Outlines& outlines, const IsNear& is_near, const Visitor&
     }
     return true;
   });
-}
-
-TurningBody turning_body(const PathSegment& arc, const Body& body) {
-  const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
-  const double radius = 1.0 / std::abs(arc.curvature);
-  const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
-  return {center, radius, side, body};
 }
 
 }  // namespace

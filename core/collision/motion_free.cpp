@@ -5,12 +5,18 @@
 
 namespace arcway::internal {
 
-bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& turn, HeadingSet& headings) {
-  const PathSegment arc = turn.forwards();
+TurningBody turning_body(const PathSegment& arc, const Body& body) {
   const Side side = arc.curvature > 0.0 ? Side::kLeft : Side::kRight;
   const double radius = 1.0 / std::abs(arc.curvature);
   const Vec2 center = arc.start.position() + sign_of(side) * radius * perpendicular(direction_of(arc.start.heading));
-  return sweep.arc_free({center, radius, side, body, turn.gear}, arc.start.heading, arc.length / radius, headings);
+  return {center, radius, side, body};
+}
+
+bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& turn, HeadingSet& headings) {
+  const PathSegment arc = turn.forwards();
+  TurningBody turning = turning_body(arc, body);
+  turning.gear = turn.gear;
+  return sweep.arc_free(turning, arc.start.heading, arc.length / turning.radius, headings);
 }
 
 bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion) {

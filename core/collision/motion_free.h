@@ -14,6 +14,9 @@ namespace arcway::internal {
 /// cost less.
 bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion);
 
+/// A body that drives an arc forwards.
+TurningBody turning_body(const PathSegment& arc, const Body& body);
+
 /// Whether the body touches nothing along one arc, in whichever gear.
 /// @param headings  memory that is used again.
 bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& turn, HeadingSet& headings);
