@@ -113,7 +113,7 @@ double slow_ends_time(const Apart& apart, const Vehicle& vehicle, const EndSpeed
 
 }  // namespace
 
-// Many parameters because nearly all callers leave out the last two.
+// Many parameters because nearly all callers leave out the last three.
 double travel_time_lower_bound(const Pose& start, const Pose& goal, double distance, const Vehicle& vehicle,
                                bool reverse, const EndSpeeds& ends, const SpeedZones* zones) {
   if (reverse && vehicle.max_reverse_speed() > vehicle.max_speed())
