@@ -1,8 +1,10 @@
 #include "core/search/zone_routes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <functional>
 #include <queue>
 #include <utility>
 
@@ -31,6 +33,11 @@ constexpr int kRouteRounds = 3;      // of moves of all places
 constexpr int kRouteHalvings = 6;    // of the length of a move, from a step of the grid on
 
 }  // namespace
+
+Vec2 ZoneRoutes::Grid::place(std::int64_t column, std::int64_t row) const {
+  return corner + step * Vec2(static_cast<double>(column) + 0.5 * static_cast<double>(row % 2),
+                              kRowDistance * static_cast<double>(row));
+}
 
 // Times from all nodes to one place.
 class ZoneRoutes::Search {
@@ -86,11 +93,7 @@ class ZoneRoutes::Search {
     const double speed = grid_.speeds[index(node)];
     return speed < top_speed_ ? slower_ / speed : 1.0 / speed;
   }
-  [[nodiscard]] Vec2 place(std::int64_t node) const {
-    const std::int64_t row = node / grid_.columns, column = node % grid_.columns;
-    return grid_.corner + grid_.step * Vec2(static_cast<double>(column) + 0.5 * static_cast<double>(row % 2),
-                                            kRowDistance * static_cast<double>(row));
-  }
+  [[nodiscard]] Vec2 place(std::int64_t node) const { return grid_.place(node % grid_.columns, node / grid_.columns); }
   [[nodiscard]] std::int64_t node_at(std::int64_t column, std::int64_t row) const {
     return column < 0 || row < 0 || column >= grid_.columns || row >= grid_.rows ? -1 : row * grid_.columns + column;
   }
@@ -217,8 +220,7 @@ ZoneRoutes::Grid ZoneRoutes::make_grid(const StopClock& clock) const {
   for (std::int64_t row = 0; row < grid.rows; ++row)
     for (std::int64_t column = 0; column < grid.columns; ++column) {
       end_if_over(ticker);
-      const Vec2 p = grid.corner + grid.step * Vec2(static_cast<double>(column) + 0.5 * static_cast<double>(row % 2),
-                                                    kRowDistance * static_cast<double>(row));
+      const Vec2 p = grid.place(column, row);
       const bool is_blocked = map_.queries.distance->containing(p) != kNone ||
                               map_.queries.distance->closest(p).distance < narrow ||
                               (map_.one_way_zones && !is_any_way_allowed(*map_.one_way_zones, p));
@@ -287,15 +289,17 @@ void move(std::vector<Vec2>& places, double step, Time&& time) {
 
 }  // namespace
 
-void ZoneRoutes::shorten(std::vector<Vec2>& places, const StopClock& clock) const {
+ZoneRoutes::Route ZoneRoutes::shortest_over(std::vector<Vec2> places, double step, const StopClock& clock) const {
   std::vector<SpeedZones::Stretch> parts;
   const auto time = [&](const Vec2& from, const Vec2& to) { return time_between(from, to, parts); };
-  const double step = grid_.get(clock, [&] { return make_grid(clock); })->step;
   for (int round = 0; round < kRouteRounds && !clock.is_over(); ++round) {
     leave_out(places, kSavesTime, time);
     move(places, step, time);
   }
   leave_out(places, kMattersLittle, time);
+  Route route{std::move(places), 0.0};
+  for (std::size_t i = 0; i + 1 < route.places.size(); ++i) route.time += time(route.places[i], route.places[i + 1]);
+  return route;
 }
 
 std::optional<ZoneRoutes::Route> ZoneRoutes::find(const Vec2& start, const Vec2& goal, double slower,
@@ -315,11 +319,7 @@ std::optional<ZoneRoutes::Route> ZoneRoutes::find(const Vec2& start, const Vec2&
   if (!places) return std::nullopt;
   places->front() = start;
   places->back() = goal;
-  shorten(*places, clock);
-  std::vector<SpeedZones::Stretch> parts;
-  Route route{std::move(*places), 0.0};
-  for (std::size_t i = 0; i + 1 < route.places.size(); ++i)
-    route.time += time_between(route.places[i], route.places[i + 1], parts);
+  Route route = shortest_over(*std::move(places), grid->step, clock);
   if (route.time == kInfinity) return std::nullopt;
   return route;
 }

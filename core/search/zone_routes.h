@@ -1,16 +1,14 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "arcway/path.h"
 #include "arcway/stop_clock.h"
+#include "arcway/vec2.h"
 #include "core/attach/roadmap.h"
 #include "core/base/late_value.h"
+#include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
 
@@ -47,11 +45,14 @@ class ZoneRoutes {
     double step = 1.0;
     std::int64_t columns = 0, rows = 0;
     std::vector<double> speeds;  // by node [m/s]; 0 where an obstacle is too near
+
+    [[nodiscard]] Vec2 place(std::int64_t column, std::int64_t row) const;
   };
   [[nodiscard]] Grid make_grid(const StopClock& clock) const;
   // The time on a line between two places; infinity if an obstacle is in between.
   [[nodiscard]] double time_between(const Vec2& from, const Vec2& to, std::vector<SpeedZones::Stretch>& parts) const;
-  void shorten(std::vector<Vec2>& places, const StopClock& clock) const;
+  // The route over places once it cannot be shortened, moving them by at most about `step` [m] at first.
+  [[nodiscard]] Route shortest_over(std::vector<Vec2> places, double step, const StopClock& clock) const;
 
   const Roadmap& map_;
   LateValue<Grid> grid_;
