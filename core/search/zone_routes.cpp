@@ -252,13 +252,13 @@ double time_over(const Vec2& from, const Vec2& over, const Vec2& to, Time&& time
 // Leaves out the place that costs least, again and again.
 // @param cost  largest cost of a place, as a share of the time between its neighbors.
 template <class Time>
-void leave_out(std::vector<Vec2>& places, double cost, Time&& time) {
+void leave_out(std::vector<Vec2>& places, double cost, Time&& time, const StopClock& clock) {
   const auto cost_of = [&](std::size_t i) {
     return time(places[i - 1], places[i + 1]) - (1.0 + cost) * time_over(places[i - 1], places[i], places[i + 1], time);
   };
   std::vector<double> costs(places.size(), kInfinity);
-  for (std::size_t i = 1; i + 1 < places.size(); ++i) costs[i] = cost_of(i);
-  for (;;) {
+  for (std::size_t i = 1; i + 1 < places.size() && !clock.is_over(); ++i) costs[i] = cost_of(i);
+  while (!clock.is_over()) {
     const auto cheapest = std::ranges::min_element(costs);
     if (!(*cheapest <= 0.0)) return;
     const auto i = cheapest - costs.begin();
@@ -272,8 +272,8 @@ void leave_out(std::vector<Vec2>& places, double cost, Time&& time) {
 
 // Moves each place between its neighbors as long as that saves time.
 template <class Time>
-void move(std::vector<Vec2>& places, double step, Time&& time) {
-  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+void move(std::vector<Vec2>& places, double step, Time&& time, const StopClock& clock) {
+  for (std::size_t i = 1; i + 1 < places.size() && !clock.is_over(); ++i) {
     double best = time_over(places[i - 1], places[i], places[i + 1], time);
     double length = step;
     for (int halving = 0; halving < kRouteHalvings; ++halving, length *= 0.5)
@@ -293,10 +293,10 @@ ZoneRoutes::Route ZoneRoutes::shortest_over(std::vector<Vec2> places, double ste
   std::vector<SpeedZones::Stretch> parts;
   const auto time = [&](const Vec2& from, const Vec2& to) { return time_between(from, to, parts); };
   for (int round = 0; round < kRouteRounds && !clock.is_over(); ++round) {
-    leave_out(places, kSavesTime, time);
-    move(places, step, time);
+    leave_out(places, kSavesTime, time, clock);
+    move(places, step, time, clock);
   }
-  leave_out(places, kMattersLittle, time);
+  leave_out(places, kMattersLittle, time, clock);
   Route route{std::move(places), 0.0};
   for (std::size_t i = 0; i + 1 < route.places.size(); ++i) route.time += time(route.places[i], route.places[i + 1]);
   return route;
