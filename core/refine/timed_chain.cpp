@@ -93,6 +93,7 @@ void TimedChain::time_parts() {
   }
   passings_.push_back(at);
 
+  cut_stretches();
   from_start_.reset(vehicle_->max_acceleration(), TimeModel::kProfile, ends_.start);
   from_goal_.reset(vehicle_->max_acceleration(), TimeModel::kProfile, ends_.goal);
   start_joints_.resize(stretches_.size());
@@ -100,15 +101,41 @@ void TimedChain::time_parts() {
   for (const bool forwards : {true, false}) {
     SpeedTree& tree = forwards ? from_start_ : from_goal_;
     std::uint32_t joint = kRoot;
-    const Stretch* before = nullptr;  // not added yet
+    const Piece* before = nullptr;  // not added yet
     for (std::size_t i = 0; i < stretches_.size(); ++i) {
       const std::size_t k = forwards ? i : stretches_.size() - 1 - i;
-      const bool empty = !(stretches_[k].length > 0.0);
-      if (before != nullptr && !empty) joint = tree.add(joint, before->length, before->limit, stretches_[k].limit);
-      if (!empty) before = &stretches_[k];
-      (forwards ? start_joints_ : goal_joints_)[k] = joint;
+      const std::size_t first = first_piece_[k], last = first_piece_[k + 1];
+      std::uint32_t& begin = (forwards ? start_joints_ : goal_joints_)[k];
+      begin = joint;
+      for (std::size_t p = first; p < last; ++p) {
+        const Piece& piece = pieces_[forwards ? p : first + last - 1 - p];
+        if (before != nullptr) joint = tree.add(joint, before->length, before->limit, piece.limit);
+        if (p == first) begin = joint;
+        before = &piece;
+      }
     }
   }
+}
+
+void TimedChain::cut_stretches() {
+  pieces_.clear();
+  first_piece_.clear();
+  std::size_t segment = 0;
+  for (const Stretch& stretch : stretches_) {
+    first_piece_.push_back(pieces_.size());
+    if (!(stretch.length > 0.0)) continue;
+    if (zones_ == nullptr) {
+      pieces_.push_back({stretch.length, stretch.limit});
+    } else {
+      append_pieces(now_.path[segment++], stretch.limit, pieces_);
+    }
+  }
+  first_piece_.push_back(pieces_.size());
+}
+
+void TimedChain::append_pieces(const PathSegment& segment, double limit, std::vector<Piece>& pieces) {
+  zones_->cut(segment, cut_);
+  for (const SpeedZones::Stretch& part : cut_) pieces.push_back({part.length, std::min(limit, part.cap)});
 }
 
 PathSegment TimedChain::Part::segment() const {
@@ -166,7 +193,7 @@ TimedChain::Affected TimedChain::affected_by(const ChainChange& change) const {
 }
 
 double TimedChain::cost_after(const ChainChange& change, double enough) {
-  double cost = time_after(change);
+  double cost = time_after(change, enough);
   if (clearance_ == nullptr) return cost;
   const auto [first, last] = affected_by(change);
   for (std::size_t i = 0; i < stretches_.size(); ++i)
@@ -178,18 +205,28 @@ double TimedChain::cost_after(const ChainChange& change, double enough) {
   return cost;
 }
 
-double TimedChain::time_after(const ChainChange& change) {
-  const auto [first, last] = affected_by(change);
+double TimedChain::time_after(const ChainChange& change, double enough) {
+  const Affected affected = affected_by(change);
   const std::size_t end = stretches_.size() - 1;
   // How fast an outer joint may be passed depends on the line next to it, if there is one.
-  if ((first > 0 && !(stretches_[first].length > 0.0)) || (last < end && !(stretches_[last].length > 0.0))) return 0.0;
+  if ((affected.first > 0 && !(stretches_[affected.first].length > 0.0)) ||
+      (affected.last < end && !(stretches_[affected.last].length > 0.0)))
+    return 0.0;
+  const double time = time_through(affected, laid_out_);
+  if (zones_ == nullptr || time >= enough) return time;
+  changed_.clear();
+  for (const Part& part : laid_out_) append_pieces(part.segment(), part.limit, changed_);
+  return time_through(affected, changed_);
+}
+
+template <class Pieces>
+double TimedChain::time_through(const Affected& affected, const Pieces& pieces) {
   const std::size_t size = from_start_.size();
-  std::uint32_t joint = start_joints_[first];
-  for (std::size_t i = 0; i < laid_out_.size(); ++i)
-    joint = from_start_.add(joint, laid_out_[i].length, laid_out_[i].limit,
-                            laid_out_[std::min(i + 1, laid_out_.size() - 1)].limit);
+  std::uint32_t joint = start_joints_[affected.first];
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    joint = from_start_.add(joint, pieces[i].length, pieces[i].limit, pieces[std::min(i + 1, pieces.size() - 1)].limit);
   const SpeedTree::Joint& here = from_start_[joint];
-  const SpeedTree::Joint& there = from_goal_[goal_joints_[last]];
+  const SpeedTree::Joint& there = from_goal_[goal_joints_[affected.last]];
   const double speed = std::min(here.speed, there.speed);
   const double time = from_start_.time_at(here, speed) + from_goal_.time_at(there, speed);
   from_start_.truncate(size);

@@ -71,8 +71,8 @@ class TimedChain {
   /// @return false if two neighbors have no bitangent.
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
-  /// The cost after the change laid out last [s], from its parts alone: exact up to rounding, or too small. It knows no
-  /// zones. Infinity if no motion has the end speeds.
+  /// The cost after the change laid out last [s], from its parts alone: exact up to rounding, or too small. Infinity if
+  /// no motion has the end speeds.
   /// @param enough  what costs at least this need not be known better [s].
   [[nodiscard]] double cost_after(const ChainChange& change, double enough);
 
@@ -103,14 +103,25 @@ class TimedChain {
     double clearance_cost = 0.0;  // [s]
   };
 
+  // Of a stretch or a part, between two borders of zones.
+  struct Piece {
+    double length;
+    double limit;
+  };
+
   bool complete(State& state) const;
   void time_parts();
-  [[nodiscard]] double time_after(const ChainChange& change);
+  void cut_stretches();
+  void append_pieces(const PathSegment& segment, double limit, std::vector<Piece>& pieces);
+  [[nodiscard]] double time_after(const ChainChange& change, double enough);
   // The stretches that a change laid out last leaves as they are end before `first`, and begin behind `last`.
   struct Affected {
     std::size_t first, last;
   };
   [[nodiscard]] Affected affected_by(const ChainChange& change) const;
+  // The time of the path whose affected stretches are replaced by others.
+  template <class Pieces>
+  [[nodiscard]] double time_through(const Affected& affected, const Pieces& pieces);
   void add_line(const Bitangent& line);
   void add_arc(const TurnCircle& circle, double from, double to);
 
@@ -121,11 +132,15 @@ class TimedChain {
   State now_, made_;
   // Lines and circles alternate: line i has index 2 i, circle i has 2 i + 1.
   std::vector<Stretch> stretches_;
-  std::vector<Passing> passings_;  // of the beginnings of lines and circles, and of the end of the path
+  std::vector<Piece> pieces_;             // of the stretches, one after the other
+  std::vector<std::size_t> first_piece_;  // by stretch; then their number
+  std::vector<Passing> passings_;         // of the beginnings of lines and circles, and of the end of the path
   // Joints at the beginning of each line or circle, from the start, and at its end, backwards from the goal.
   SpeedTree from_start_, from_goal_;
   std::vector<std::uint32_t> start_joints_, goal_joints_;
   std::vector<Part> laid_out_;
+  std::vector<Piece> changed_;            // of the parts laid out
+  std::vector<SpeedZones::Stretch> cut_;  // of one segment
 };
 
 }  // namespace arcway::internal

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
 #include "core/base/infinity.h"
+#include "core/zones/speed_zones.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -120,6 +122,44 @@ TEST(TimedChain, CostsAChangeAsTheWholePathCosts) {
   EXPECT_GT(compared, 500);
   EXPECT_LT(not_told, compared / 10);
   EXPECT_GT(cut_short, 20);
+}
+
+// A quarter of the area and more, some of it twice.
+SpeedZones random_zones(test::RandomInputs& random) {
+  std::vector<Zone> zones;
+  for (int i = 0; i < 8; ++i)
+    zones.push_back({.area = Polygon::rectangle(random.point(0.0, 30.0), random.uniform(2.0, 12.0), 6.0),
+                     .rule = SpeedLimit{random.uniform(0.3, 2.0)}});
+  return SpeedZones(zones);
+}
+
+TEST(TimedChain, TimesAChangeInZonesAsTheWholePathIsTimed) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  test::RandomInputs random(11);
+  const SpeedZones zones = random_zones(random);
+  TimedChain timed;
+  int compared = 0, not_told = 0, slowed = 0;
+  for (int i = 0; i < 3000; ++i) {
+    if (i % 20 == 0)
+      while (!timed.begin(random_chain(random, static_cast<std::size_t>(random.integer(2, 9))), vehicle, {}, &zones)) {
+      }
+    const ChainChange change = random_change(random, timed.chain());
+    if (change.size_after(timed.chain().circles.size()) < 2 || !timed.lay_out(change)) continue;
+    const double time = timed.cost_after(change, kInfinity), bound = timed.cost_after(change, 0.0);
+    ASSERT_TRUE(timed.make(change));
+    ASSERT_LE(bound, time * (1.0 + 1e-12)) << "change " << i;
+    slowed += bound < 0.99 * time ? 1 : 0;
+    if (time == 0.0) {
+      ++not_told;
+    } else {
+      ASSERT_NEAR(time, timed.made_time(), 1e-9 * timed.made_time()) << "change " << i;
+      ++compared;
+    }
+    if (random.unit() < 0.3) timed.take();
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(slowed, 200);
+  EXPECT_LT(not_told, compared / 10);
 }
 
 TEST(TimedChain, KnowsWhenAndHowFastItsLinesArePassed) {
