@@ -1,8 +1,11 @@
 #include "core/zones/speed_zones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory_resource>
 #include <variant>
 
 #include "arcway/angle.h"
@@ -19,51 +22,80 @@ constexpr double kCapMargin = 1e-9;
 // Crossings too many do no harm.
 constexpr double kEdgeSlack = 1e-9;
 
-constexpr double kNoCap = std::numeric_limits<double>::infinity();
+// Number of crossings of a segment up to which no memory is asked for.
+constexpr std::size_t kUsualCrossings = 16;
 
-// A closed box around all places of F.
-Box box_around(const PathSegment& segment) {
-  Box box;
-  box.extend(segment.start.position());
-  if (segment.is_line()) {
-    box.extend(segment.end().position());
-    return box;
-  }
-  const double radius = 1.0 / segment.curvature;
-  const Vec2 center = segment.start.position() + radius * perpendicular(direction_of(segment.start.heading));
-  const Vec2 reach = Vec2::Constant(std::min(2.0 * std::abs(radius), segment.length));
-  box.min = (segment.start.position() - reach).cwiseMax(center - Vec2::Constant(std::abs(radius)));
-  box.max = (segment.start.position() + reach).cwiseMin(center + Vec2::Constant(std::abs(radius)));
-  return box;
-}
+constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
 bool is_on(double part) { return part >= -kEdgeSlack && part <= 1.0 + kEdgeSlack; }
 
-void cross_line(const PathSegment& line, const LineSegment& edge, std::vector<double>& crossings) {
-  const Vec2 ahead = sign_of(line.gear) * direction_of(line.start.heading), along = edge.b - edge.a;
-  const Vec2 to_edge = edge.a - line.start.position();
-  const double area = cross(ahead, along);
-  if (area != 0.0 && is_on(cross(to_edge, ahead) / area)) crossings.push_back(cross(to_edge, along) / area);
-}
-
-// Where the circle of an arc meets the line of the edge.
-void cross_arc(const PathSegment& arc, const LineSegment& edge, std::vector<double>& crossings) {
-  const double radius = 1.0 / std::abs(arc.curvature), side = arc.curvature > 0.0 ? 1.0 : -1.0;
-  const Vec2 inwards = side * perpendicular(direction_of(arc.start.heading));
-  const Vec2 center = arc.start.position() + radius * inwards, along = edge.b - edge.a;
-  const double length = along.norm();
-  const Vec2 unit = along / length;
-  const double foot = unit.dot(center - edge.a), away = cross(unit, center - edge.a);
-  const double half = std::sqrt(std::max(0.0, (radius - away) * (radius + away)));
-  if (std::abs(away) > radius * (1.0 + kEdgeSlack)) return;
-  for (const double at : {foot - half, foot + half}) {
-    if (!is_on(at / length)) continue;
-    const Vec2 from_center = edge.a + at * unit - center;
-    const double angle = side * sign_of(arc.gear) * std::atan2(cross(-inwards, from_center), -inwards.dot(from_center));
-    for (double turn = angle < 0.0 ? angle + kTwoPi : angle; turn * radius < arc.length; turn += kTwoPi)
-      crossings.push_back(turn * radius);
+// Where F is along a segment. Directions are computed once for all edges.
+class Track {
+ public:
+  explicit Track(const PathSegment& segment)
+      : segment_(segment), start_(segment.start.position()), ahead_(direction_of(segment.start.heading)) {
+    if (segment.is_line()) return;
+    radius_ = 1.0 / std::abs(segment.curvature);
+    inwards_ = (segment.curvature > 0.0 ? 1.0 : -1.0) * perpendicular(ahead_);
+    center_ = start_ + radius_ * inwards_;
   }
-}
+
+  [[nodiscard]] Vec2 at(double s) const {
+    const double along = sign_of(segment_.gear) * s;
+    if (segment_.is_line()) return start_ + along * ahead_;
+    const double turn = along / radius_;
+    return center_ + radius_ * (std::sin(turn) * ahead_ - std::cos(turn) * inwards_);
+  }
+
+  // A closed box around all places of F.
+  [[nodiscard]] Box box() const {
+    Box box;
+    box.extend(start_);
+    if (segment_.is_line()) {
+      box.extend(at(segment_.length));
+      return box;
+    }
+    const Vec2 reach = Vec2::Constant(std::min(2.0 * radius_, segment_.length)), all = Vec2::Constant(radius_);
+    box.min = (start_ - reach).cwiseMax(center_ - all);
+    box.max = (start_ + reach).cwiseMin(center_ + all);
+    return box;
+  }
+
+  // Adds where F crosses an edge, in meters from the begin on; some lie outside of the segment.
+  void add_crossings(const LineSegment& edge, std::pmr::vector<double>& crossings) const {
+    segment_.is_line() ? add_by_line(edge, crossings) : add_by_arc(edge, crossings);
+  }
+
+ private:
+  void add_by_line(const LineSegment& edge, std::pmr::vector<double>& crossings) const {
+    const Vec2 along = edge.b - edge.a, to_edge = edge.a - start_;
+    const double area = sign_of(segment_.gear) * cross(ahead_, along);
+    if (area != 0.0 && is_on(sign_of(segment_.gear) * cross(to_edge, ahead_) / area))
+      crossings.push_back(cross(to_edge, along) / area);
+  }
+
+  // Where the circle of an arc meets the line of the edge.
+  void add_by_arc(const LineSegment& edge, std::pmr::vector<double>& crossings) const {
+    const Vec2 along = edge.b - edge.a;
+    const double length = along.norm();
+    const Vec2 unit = along / length;
+    const double foot = unit.dot(center_ - edge.a), away = cross(unit, center_ - edge.a);
+    if (std::abs(away) > radius_ * (1.0 + kEdgeSlack)) return;
+    const double half = std::sqrt(std::max(0.0, (radius_ - away) * (radius_ + away)));
+    for (const double at : {foot - half, foot + half}) {
+      if (!is_on(at / length)) continue;
+      const Vec2 from_center = edge.a + at * unit - center_;
+      const double angle = sign_of(segment_.gear) * std::atan2(from_center.dot(ahead_), -from_center.dot(inwards_));
+      for (double turn = angle < 0.0 ? angle + kTwoPi : angle; turn * radius_ < segment_.length; turn += kTwoPi)
+        crossings.push_back(turn * radius_);
+    }
+  }
+
+  const PathSegment& segment_;
+  Vec2 start_, ahead_;                         // ahead in the direction of the heading, whatever the gear
+  double radius_ = 0.0;                        // of an arc
+  Vec2 inwards_{0.0, 0.0}, center_{0.0, 0.0};  // of an arc, at its start
+};
 
 }  // namespace
 
@@ -131,27 +163,28 @@ const SpeedZones::Limit* SpeedZones::lowest_at(const Vec2& point) const {
   return lowest;
 }
 
-void SpeedZones::find_crossings(const PathSegment& segment, std::vector<double>& crossings) const {
-  edge_tree_.visit_overlaps(box_around(segment), [&](std::uint32_t e) {
-    segment.is_line() ? cross_line(segment, edges_[e], crossings) : cross_arc(segment, edges_[e], crossings);
+void SpeedZones::cut(const PathSegment& segment, std::vector<Stretch>& stretches) const {
+  stretches.clear();
+  const Track track(segment);
+  const Box box = track.box();
+  const bool is_outside = zone_tree_.visit_overlaps(box, [](std::uint32_t) { return false; });
+  if (is_outside) return stretches.push_back({segment.length, kNoCap});
+  std::array<std::byte, 2 * kUsualCrossings * sizeof(double)> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  std::pmr::vector<double> crossings(&memory);
+  crossings.reserve(kUsualCrossings);
+  edge_tree_.visit_overlaps(box, [&](std::uint32_t e) {
+    track.add_crossings(edges_[e], crossings);
     return true;
   });
   std::erase_if(crossings, [&](double s) { return !(s > 0.0 && s < segment.length); });
   crossings.push_back(segment.length);
   std::ranges::sort(crossings);
-}
-
-void SpeedZones::cut(const PathSegment& segment, std::vector<Stretch>& stretches) const {
-  stretches.clear();
-  const bool is_outside = zone_tree_.visit_overlaps(box_around(segment), [](std::uint32_t) { return false; });
-  if (is_outside) return stretches.push_back({segment.length, kNoCap});
-  std::vector<double> crossings;
-  find_crossings(segment, crossings);
   double from = 0.0;
   for (const double to : crossings) {
     // Parts within the margin have the limit of a neighbor.
     if (to - from <= margin_ && to < segment.length) continue;
-    const double cap = cap_at(segment.at(0.5 * (from + to)).position());
+    const double cap = cap_at(track.at(0.5 * (from + to)));
     if (stretches.empty() || stretches.back().cap != cap) {
       // The lower one of two limits begins sooner, or ends later.
       const double shift = stretches.empty()            ? 0.0

@@ -53,7 +53,6 @@ class SpeedZones {
   };
   [[nodiscard]] const Limit* lowest_at(const Vec2& point) const;
   void add_ring(const Ring& ring);
-  void find_crossings(const PathSegment& segment, std::vector<double>& crossings) const;
 
   std::vector<LineSegment> edges_;  // zone by zone
   std::vector<Limit> limits_;
