@@ -35,6 +35,7 @@ constexpr Words kStages[] = {
     {"PlanFirst", "First plans of real vehicles, on a new map"},
     {"PlanPrepared", "Plans of real vehicles, on a prepared map"},
     {"PlanRadii", "Plans with circles of several radii"},
+    {"PlanZones", "Plans through zones that limit the speed"},
     {"Predicates", "Exact orientation of three points"},
     {"Quality", "Quality of the plans"},
     {"Radii", "Travel time by the number of radii"},
