@@ -75,11 +75,18 @@ bool PlanRun::holds(const When& when) {
   if (when.has_speed_limits && !query_.maps.zone_routes) return false;
   if (when.gap > 0.0) {
     const double cost = when.driving == Driving::kBothGears ? reversing_search().cost() : fastest_.times.cost;
-    if (!(cost > (1.0 + when.gap) * result_.lower_bound)) return false;
+    if (!has_gap(cost, when.gap, when.gap_counts_zones)) return false;
   }
-  if (when.best_gap > 0.0 && !(best_cost_ > (1.0 + when.best_gap) * result_.lower_bound)) return false;
+  if (when.best_gap > 0.0 && !has_gap(best_cost_, when.best_gap, when.gap_counts_zones)) return false;
   return when.tight_end == 0.0 || is_tight(request.start, Direction::kFromStart, when.tight_end) ||
          is_tight(request.goal, Direction::kToGoal, when.tight_end);
+}
+
+bool PlanRun::has_gap(double cost, double gap, bool counts_zones) {
+  if (!(cost > (1.0 + gap) * result_.lower_bound)) return false;
+  if (counts_zones || !map_.speed_zones || !is_thorough() || !found_) return true;
+  const WithoutZones& without = without_zones();
+  return cost - without.saves > (1.0 + gap) * without.lower_bound;
 }
 
 bool PlanRun::is_tight(const Pose& pose, Direction direction, double angle) const {

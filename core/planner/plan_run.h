@@ -30,6 +30,7 @@ struct RefinedWay {
 /// Memory of a query, kept for the next one.
 struct PlanWorkspace {
   FindWorkspace find;
+  FindWorkspace find_without_zones;  // apart, as searches of `find` continue each other
   PathRefiner refiner;
   RefinedPath refined;
   Path best, second;
@@ -78,6 +79,12 @@ class PlanRun {
     std::uint32_t first_circle, last_circle;
   };
 
+  // A query as if no zone limited the speed.
+  struct WithoutZones {
+    double lower_bound;  // [s]
+    double saves;        // by how much less the fastest path costs then, before refinement [s]
+  };
+
   enum class RefineMode { kForwards, kAtLength, kBothGears };
 
   [[nodiscard]] bool holds(const When& when);
@@ -89,6 +96,8 @@ class PlanRun {
   [[nodiscard]] bool refines() const { return query_.options.refinement.max_trials > 0; }
   // What is not refined joins by all radii: it is the fastest path of the graph.
   [[nodiscard]] std::size_t end_radii(std::size_t refined) const { return refines() ? refined : kEveryRadius; }
+  // Whether a cost exceeds the lower bound by more than a share, with and, unless zones count, also without zones.
+  [[nodiscard]] bool has_gap(double cost, double gap, bool counts_zones);
   [[nodiscard]] bool is_tight(const Pose& pose, Direction direction, double angle) const;
 
   void take(const JoinBySingleArcs& step, double trials);
@@ -118,6 +127,8 @@ class PlanRun {
   [[nodiscard]] const PlanMaps& maps_on(On on) const;
   [[nodiscard]] ForwardSearch& forward_search(On on);
   [[nodiscard]] ReversingSearch& reversing_search();
+  // As known when first asked for.
+  [[nodiscard]] const WithoutZones& without_zones();
   // Runs a search, and counts what it did.
   template <class Find>
   FoundPath search(const Find& find);
@@ -164,10 +175,11 @@ class PlanRun {
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;
-  std::optional<Path> soon_;                         // of FindSoon, until another one is kept
-  std::uint64_t soon_expanded_ = 0;                  // number of expansions of FindSoon
-  const PlanMaps* maps_ = nullptr;                   // roadmaps in use, see On
-  Fastest fastest_{};                                // the fastest path on the roadmaps in use
+  std::optional<Path> soon_;         // of FindSoon, until another one is kept
+  std::uint64_t soon_expanded_ = 0;  // number of expansions of FindSoon
+  const PlanMaps* maps_ = nullptr;   // roadmaps in use, see On
+  Fastest fastest_{};                // the fastest path on the roadmaps in use
+  std::optional<WithoutZones> without_zones_;
   Surroundings surroundings_ = Surroundings::kOpen;  // of the ends, as trees found them
   bool is_path_refused_ = false;                     // a path of a slimmer body could not be pushed free
   bool are_trees_vain_ = false;                      // trees of a slimmer body found no path either

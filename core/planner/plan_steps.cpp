@@ -8,6 +8,8 @@
 
 #include "core/base/infinity.h"
 #include "core/gaps/enclosure.h"
+#include "core/motion/speed_profile.h"
+#include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/strategy.h"
 #include "core/refine/shorten_path.h"
@@ -173,6 +175,40 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
 
+const PlanRun::WithoutZones& PlanRun::without_zones() {
+  if (without_zones_) return *without_zones_;
+  const PlanRequest& request = query_.request;
+  Roadmap map = *fastest_.map;
+  map.speed_zones = nullptr;
+  SearchOptions options = search_options_;
+  options.suboptimality += kHasteWithoutZones;
+  options.faster_than = fastest_.times.unrefined;
+  options.end_radii = end_radii(kEndRadii);
+  const FoundPath found = search([&] {
+    return find_path_with_maneuvers(map, {request.start, request.goal, 0}, options, workspace_.find_without_zones);
+  });
+  double saves = 0.0;
+  if (const auto& path = found.search.path)
+    saves = fastest_.times.unrefined - clearance_cost(*path) -
+            internal::travel_time(*path, map.vehicle, query_.ends(), workspace_.profile, nullptr);
+  return without_zones_.emplace(WithoutZones{
+      travel_time_lower_bound(request.start, request.goal, distance_, map.vehicle, request.reverse, query_.ends()),
+      std::max(0.0, saves)});
+}
+
+namespace {
+
+// A lower bound on the time of a path that stops at each place of a route [s].
+double time_with_stops(std::span<const Vec2> places, const Vehicle& vehicle, const EndSpeeds& ends) {
+  double time = 0.0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    time += relaxed_segment_time((places[i] - places[i - 1]).norm(), i == 1 ? ends.start : 0.0, vehicle.max_speed(),
+                                 i + 1 == places.size() ? ends.goal : 0.0, vehicle.max_acceleration());
+  return time;
+}
+
+}  // namespace
+
 void PlanRun::take(const FollowZoneRoutes& step, double trials) {
   const Vec2 start = query_.request.start.position(), goal = query_.request.goal.position();
   for (const double slower : step.slower) {
@@ -180,8 +216,10 @@ void PlanRun::take(const FollowZoneRoutes& step, double trials) {
     if (!route) continue;
     // A route without bends is in the graph.
     if (route->places.size() == 2 || route->time > (1.0 - step.least_gain) * best_cost_) continue;
+    const double most = (1.0 + step.unrefined) * best_cost_;
+    if (time_with_stops(route->places, map_.vehicle, query_.ends()) > most) continue;
     std::optional<Path> path = path_over(route->places);
-    if (!path || travel_time(*path) > (1.0 + step.unrefined) * best_cost_) continue;
+    if (!path || travel_time(*path) > most) continue;
     keep(std::move(*path), 0, trials, RefineMode::kForwards);
   }
 }

@@ -97,6 +97,8 @@ inline constexpr std::array kSlowerZones{1.0, 3.0};
 
 // Suboptimality of the search for a first path.
 inline constexpr double kHaste = 1.0;
+// Suboptimality of the search as if there were no zones: it needs to tell percents.
+inline constexpr double kHasteWithoutZones = 0.01;
 
 inline constexpr StrategyRow kStrategy[] = {
     // A first path, driven forwards.
@@ -132,7 +134,7 @@ inline constexpr StrategyRow kStrategy[] = {
     {"lower bound around obstacles", {.known = Known::kPath}, RaiseLowerBound{}},
     // The graph has no circles around zones.
     {"routes through zones",
-     {.known = Known::kPath, .has_speed_limits = true, .best_gap = kWorthOtherRoutes},
+     {.known = Known::kPath, .has_speed_limits = true, .best_gap = kWorthOtherRoutes, .gap_counts_zones = true},
      FollowZoneRoutes{.slower = kSlowerZones, .least_gain = 0.005, .unrefined = 0.1},
      kUntilCompared},
     // Beside a wall, tight arcs may be blocked where wide ones lead out, and a path by tight ones may go a long way
@@ -177,10 +179,20 @@ inline constexpr StrategyRow kStrategy[] = {
      TryNarrowPlaces{.least_gain = 0.001}},
     // Slower paths at first, they may be faster once refined.
     {"another last circle",
-     {.known = Known::kPath, .care = Care::kThorough, .refines = true, .gap = 0.04, .best_gap = kWorthOtherRoutes},
+     {.known = Known::kPath,
+      .care = Care::kThorough,
+      .refines = true,
+      .gap = 0.04,
+      .best_gap = kWorthOtherRoutes,
+      .gap_counts_zones = true},
      TryOtherLastCircle{.slower = 0.03}},
     {"another first circle",
-     {.known = Known::kPath, .care = Care::kThorough, .refines = true, .gap = 0.04, .best_gap = kWorthOtherRoutes},
+     {.known = Known::kPath,
+      .care = Care::kThorough,
+      .refines = true,
+      .gap = 0.04,
+      .best_gap = kWorthOtherRoutes,
+      .gap_counts_zones = true},
      TryOtherFirstCircle{.slower = 0.03}},
     // Where an end is tight, trees look for wider turns out.
     {"trees at tight ends",

@@ -42,6 +42,9 @@ struct When {
   bool grows_trees = false;       ///< trees are wanted: PlanLimits::tree_poses, PlannerOptions::maneuver_poses
   double gap = 0.0;       ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
   double best_gap = 0.0;  ///< least gap of the best plan so far
+  /// Whether what zones with speed limits add to the time counts as gap. Where it does not, the row can save little of
+  /// it. Only on a roadmap of the tightest radii: it always counts where there are several.
+  bool gap_counts_zones = false;
   /// At the start or the goal, obstacles end the tightest turns to both sides within this angle [rad]. 0: anywhere.
   double tight_end = 0.0;
 };

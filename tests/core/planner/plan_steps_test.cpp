@@ -103,6 +103,27 @@ TEST(PlanSteps, JoinByWideArcsWhereTightOnesAreBlocked) {
 }
 
 // Of five radii, two serve the ends, as long as there is a path.
+TEST(PlanSteps, LookForNoOtherWayWhereZonesAloneAreSlow) {
+  const World open = random_world({.obstacles = 30, .vertices = 6, .fill = 0.05, .seed = 4});
+  const Box box = open.box();
+  const Vec2 size = box.max - box.min, center = 0.5 * (box.min + box.max);
+  const Vehicle vehicle((VehicleParameters()));
+  const Planner without(open, vehicle);
+  const PlanRequest request{.start = *without.nearest_free({box.min.x() + 5.0, center.y(), 0.0}),
+                            .goal = *without.nearest_free({box.max.x() - 5.0, center.y(), 0.0})};
+  const PlanResult fast = without.plan(request);
+  // Across the whole map: no way leads around it.
+  const Zone band{.area = Polygon::rectangle(center, 0.4 * size.x(), 20.0 * size.y()), .rule = SpeedLimit{2.0}};
+  const Planner with(open.with_zones({band}), vehicle, {.leave_out = {"routes through zones"}});
+  const PlanResult slow = with.plan(request);
+  ASSERT_TRUE(fast.solved() && slow.solved()) << fast.reason << slow.reason;
+  test::expect_valid(with, slow);
+  ASSERT_LT(fast.optimality_gap(), 0.04);
+  ASSERT_GT(slow.optimality_gap(), 0.2);
+  // A search counts the poses of its ends; with maneuvers it has 48 more at the least.
+  EXPECT_LT(slow.statistics.maneuver_poses, 48u);
+}
+
 TEST(PlanSteps, JoinByFewRadiiFirst) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
   const World world = random_world({.obstacles = 60, .vertices = 8, .fill = 0.25, .seed = 3});
