@@ -7,6 +7,7 @@
 
 #include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
+#include "core/collision/path_cost.h"
 
 namespace arcway::internal {
 
@@ -124,9 +125,10 @@ void SearchAttachments::try_direct(std::uint32_t start, std::uint32_t goal, cons
   direct_paths_.push_back({start, goal, *between, 0.0});
   take_path(direct_paths_.back(), path_);
   const SearchOptions& options = context_->options;
-  direct_paths_.back().time = travel_cost(path_, context_->vehicle, options.ends, options.cusp_cost, profile_,
-                                          context_->map.speed_zones.get()) +
-                              clearance_cost(context_->map.clearance_cost.get(), path_);
+  const Roadmap& map = context_->map;
+  direct_paths_.back().time =
+      path_cost(path_, context_->vehicle,
+                {options.ends, map.speed_zones.get(), map.clearance_cost.get(), options.cusp_cost}, profile_);
   if (direct_paths_.back().time == kInfinity) direct_paths_.pop_back();
 }
 

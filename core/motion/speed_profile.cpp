@@ -213,16 +213,4 @@ double capped_travel_time(const CappedPath& capped, const Vehicle& vehicle, cons
   return profile.total_time;
 }
 
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost,
-                   const SpeedZones* zones) {
-  SpeedProfile profile;
-  return travel_cost(path, vehicle, {}, cusp_cost, profile, zones);
-}
-
-// Many parameters because callers keep path, limits and memory apart.
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends, double cusp_cost,
-                   SpeedProfile& profile, const SpeedZones* zones) {
-  return travel_time(path, vehicle, ends, profile, zones) + cusp_cost * static_cast<double>(cusps_of(path));
-}
-
 }  // namespace arcway::internal

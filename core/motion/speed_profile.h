@@ -64,12 +64,4 @@ double travel_time(std::span<const PathSegment> path, const Vehicle& vehicle, co
 double capped_travel_time(const CappedPath& capped, const Vehicle& vehicle, const EndSpeeds& ends,
                           SpeedProfile& profile);
 
-/// The travel time of a path from rest to rest, plus `cusp_cost` for each gear change [s].
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, double cusp_cost,
-                   const SpeedZones* zones = nullptr);
-
-/// The travel time between given end speeds, plus `cusp_cost` for each gear change [s]; infinity as for travel_time.
-double travel_cost(std::span<const PathSegment> path, const Vehicle& vehicle, const EndSpeeds& ends, double cusp_cost,
-                   SpeedProfile& profile, const SpeedZones* zones = nullptr);
-
 }  // namespace arcway::internal

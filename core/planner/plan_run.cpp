@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/infinity.h"
+#include "core/collision/path_cost.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/strategy.h"
 #include "core/refine/shorten_path.h"
@@ -110,9 +111,9 @@ void PlanRun::raise_lower_bound() {
 }
 
 double PlanRun::cost_of(const Path& path) {
-  return travel_cost(path, map_.vehicle, query_.ends(), query_.request.cusp_cost, workspace_.profile,
-                     map_.speed_zones.get()) +
-         clearance_cost(path);
+  return path_cost(path, map_.vehicle,
+                   {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get(), query_.request.cusp_cost},
+                   workspace_.profile);
 }
 
 double PlanRun::travel_time(const Path& path) {

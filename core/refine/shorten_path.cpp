@@ -23,14 +23,14 @@ class Shortener {
  public:
   // Many parameters because these are those of shorten_path.
   Shortener(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials, const StopClock& clock,
-            const PathLimits& limits)
+            const PathCosts& costs)
       : path_(std::move(path)),
         vehicle_(vehicle),
         sweep_(sweep),
         body_(vehicle.body(0.5 * vehicle.safety_margin())),
         trials_left_(max_trials),
         clock_(clock),
-        limits_(limits) {
+        costs_(costs) {
     cost_ = cost_of(path_);
   }
 
@@ -56,9 +56,7 @@ class Shortener {
 
   [[nodiscard]] bool done() const { return trials_left_ == 0 || clock_.is_over(); }
 
-  double cost_of(const Path& path) {
-    return travel_time(path, vehicle_, limits_.ends, profile_, limits_.zones) + clearance_cost(limits_.clearance, path);
-  }
+  double cost_of(const Path& path) { return path_cost(path, vehicle_, costs_, profile_); }
 
   void find_places() {
     places_.clear();
@@ -111,7 +109,7 @@ class Shortener {
   Body body_;
   std::size_t trials_left_;
   const StopClock& clock_;
-  PathLimits limits_;
+  PathCosts costs_;
   double cost_ = 0.0;
   std::vector<Place> places_;
   SpeedProfile profile_;
@@ -121,8 +119,8 @@ class Shortener {
 
 // Many parameters because most callers leave out the end speeds.
 Path shorten_path(Path path, const Vehicle& vehicle, const SweepQuery& sweep, std::size_t max_trials,
-                  const StopClock& clock, const PathLimits& limits) {
-  return Shortener(std::move(path), vehicle, sweep, max_trials, clock, limits).run();
+                  const StopClock& clock, const PathCosts& costs) {
+  return Shortener(std::move(path), vehicle, sweep, max_trials, clock, costs).run();
 }
 
 }  // namespace arcway::internal

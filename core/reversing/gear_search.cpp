@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/collision/motion_free.h"
+#include "core/collision/path_cost.h"
 #include "core/model/side_radii.h"
 #include "core/motion/reeds_shepp.h"
-#include "core/motion/speed_profile.h"
 #include "core/reversing/gear_tree.h"
 #include "core/search/path_ends.h"
 
@@ -115,8 +115,8 @@ class GearSearch {
     const Path rest = at == kStartEnd ? word : trees_[kGoalEnd].path_to_root(node);
     path.insert(path.end(), rest.begin(), rest.end());
     if (cusps_of(path) > options_.max_cusps) return;
-    const double cost = travel_cost(path, vehicle_, options_.cusp_cost, options_.speed_zones) +
-                        clearance_cost(options_.clearance_cost, path);
+    const double cost =
+        path_cost(path, vehicle_, {{}, options_.speed_zones, options_.clearance_cost, options_.cusp_cost});
     if (cost >= result_.cost || !is_free(word) || !is_free(path)) return;
     result_.cost = cost;
     result_.path = std::move(path);

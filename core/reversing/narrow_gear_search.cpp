@@ -8,10 +8,10 @@
 
 #include "arcway/angle.h"
 #include "core/collision/motion_free.h"
+#include "core/collision/path_cost.h"
 #include "core/model/body_size.h"
 #include "core/model/side_radii.h"
 #include "core/motion/gear_words.h"
-#include "core/motion/speed_profile.h"
 #include "core/reversing/narrow_gear_tree.h"
 #include "core/search/near_poses.h"
 #include "core/search/path_ends.h"
@@ -152,8 +152,8 @@ class NarrowGearSearch {
   // Keeps a path if it is the cheapest and free.
   bool take(Path&& path) {
     if (cusps_of(path) > options_.max_cusps) return false;
-    const double cost = travel_cost(path, map_.vehicle, options_.cusp_cost, options_.speed_zones) +
-                        clearance_cost(options_.clearance_cost, path);
+    const double cost =
+        path_cost(path, map_.vehicle, {{}, options_.speed_zones, options_.clearance_cost, options_.cusp_cost});
     if (cost >= result_.cost || !motion_free(*map_.queries.sweep, map_.body, path)) return false;
     result_.cost = cost;
     result_.path = std::move(path);

@@ -11,6 +11,7 @@
 #include "arcway/angle.h"
 #include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
+#include "core/collision/path_cost.h"
 #include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
 #include "core/motion/dubins.h"
@@ -90,11 +91,12 @@ class ReversingRefiner {
 
   // The cost of a path, or as much of it as tells that it is not cheaper.
   [[nodiscard]] double cost_of(const Path& path) {
-    const double cost = travel_cost(path, vehicle_, ends_, changes_.cost, profile_, zones_);
-    return is_cheaper(cost) ? cost + clearance_cost(clearance_, path) : cost;
+    return path_cost(path, vehicle_, {ends_, zones_, clearance_, changes_.cost}, profile_, least_saving());
   }
 
-  [[nodiscard]] bool is_cheaper(double cost) const { return cost < cost_ * (1.0 - kLeastSaving); }
+  // A path is cheaper if it costs less than this.
+  [[nodiscard]] double least_saving() const { return cost_ * (1.0 - kLeastSaving); }
+  [[nodiscard]] bool is_cheaper(double cost) const { return cost < least_saving(); }
 
   // Takes a free path if it is cheaper.
   bool accept(const Path& path) {

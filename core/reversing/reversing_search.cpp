@@ -8,6 +8,7 @@
 
 #include "core/attach/fast_attachments.h"
 #include "core/collision/motion_free.h"
+#include "core/collision/path_cost.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/reversing/gear_tree.h"
@@ -202,8 +203,8 @@ FoundPath ReversingSearch::taken(const GearSearchResult& gears) {
 bool ReversingSearch::offer(const Path& path) {
   if (cusps_of(path) > query_.max_cusps) return false;
   SpeedProfile profile;
-  const double cost = travel_cost(path, map_.vehicle, ends_, options_.cusp_cost, profile, map_.speed_zones.get()) +
-                      clearance_cost(map_.clearance_cost.get(), path);
+  const double cost = path_cost(
+      path, map_.vehicle, {ends_, map_.speed_zones.get(), map_.clearance_cost.get(), options_.cusp_cost}, profile);
   if (cost >= cost_) return true;
   path_ = merged(path);
   cost_ = cost;

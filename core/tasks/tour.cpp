@@ -10,6 +10,7 @@
 #include "arcway/angle.h"
 #include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
+#include "core/collision/path_cost.h"
 #include "core/model/pose_text.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
@@ -140,8 +141,8 @@ class TourPlanner {
     Path path = before.path;
     const Path on = leg.path();
     path.insert(path.end(), on.begin(), on.end());
-    const double cost =
-        travel_cost(path, planner_.vehicle(), request_.cusp_cost, zones_.get()) + clearance_cost(planner_, path);
+    const double cost = path_cost(path, planner_.vehicle(), {.zones = zones_.get(), .cusp_cost = request_.cusp_cost}) +
+                        clearance_cost(planner_, path);
     if (cost >= stop.cost) return certainty;
     stop.cost = cost;
     stop.from = from;

@@ -4,8 +4,8 @@
 
 #include "arcway/angle.h"
 #include "arcway/query_set.h"
+#include "core/collision/path_cost.h"
 #include "core/motion/reeds_shepp.h"
-#include "core/motion/speed_profile.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
@@ -35,7 +35,7 @@ TEST(GearSearch, InAnEmptyWorldIsAtLeastAsGoodAsEveryWord) {
     const GearSearchResult found =
         search_gears({start, goal, vehicle, *queries.sweep, Outlines(world)}, {.max_poses = 40});
     ASSERT_TRUE(found.path);
-    EXPECT_EQ(found.cost, travel_cost(*found.path, vehicle, 0.0));
+    EXPECT_EQ(found.cost, path_cost(*found.path, vehicle));
     expect_valid(world, vehicle, start, goal, *found.path);
     double shortest = std::numeric_limits<double>::infinity();
     std::optional<Path> best;
@@ -45,7 +45,7 @@ TEST(GearSearch, InAnEmptyWorldIsAtLeastAsGoodAsEveryWord) {
       shortest = length;
       best = reeds_shepp_path(word, start, goal, vehicle.min_turning_radius());
     }
-    EXPECT_LE(found.cost, travel_cost(*best, vehicle, 0.0));
+    EXPECT_LE(found.cost, path_cost(*best, vehicle));
   }
 }
 

@@ -6,9 +6,9 @@
 
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
+#include "core/collision/path_cost.h"
 #include "core/model/outlines.h"
 #include "core/motion/clearance.h"
-#include "core/motion/speed_profile.h"
 
 namespace arcway::internal {
 namespace {
@@ -37,8 +37,9 @@ TEST(GearTree, WaysAreFreeJoinedAndAsDearAsTheyTake) {
     }
     for (const PathSegment& s : path) EXPECT_GT(clearance_along(s, vehicle.footprint(), world).distance, 0.0);
     EXPECT_EQ(path.back().end().x, tree[node].pose.x);
-    EXPECT_LE(tree[node].cost, travel_cost(path, vehicle, cusp_cost) + 1e-9);  // need not stop there
-    EXPECT_NEAR(travel_cost(tree.path_to_root(node), vehicle, cusp_cost), travel_cost(path, vehicle, cusp_cost), 1e-9);
+    EXPECT_LE(tree[node].cost, path_cost(path, vehicle, {.cusp_cost = cusp_cost}) + 1e-9);  // need not stop there
+    EXPECT_NEAR(path_cost(tree.path_to_root(node), vehicle, {.cusp_cost = cusp_cost}),
+                path_cost(path, vehicle, {.cusp_cost = cusp_cost}), 1e-9);
     cusps = cusps || cusps_of(path) > 0;
   }
   EXPECT_TRUE(cusps);

@@ -9,6 +9,7 @@
 #include "arcway/datasets/clutter.h"
 #include "arcway/planner.h"
 #include "arcway/query_set.h"
+#include "core/collision/path_cost.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
 #include "core/refine/moves.h"
@@ -46,7 +47,7 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
     expect_valid(world, vehicle, start, goal, words.path);
     EXPECT_LE(fine.travel_time, words.travel_time);
     EXPECT_LE(words.travel_time, found.cost);
-    EXPECT_EQ(fine.travel_time, travel_cost(fine.path, vehicle, 0.0));
+    EXPECT_EQ(fine.travel_time, path_cost(fine.path, vehicle));
     gain += 1.0 - fine.travel_time / words.travel_time;
   }
   EXPECT_GT(gain, 0.015);

@@ -10,7 +10,7 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/datasets/random_queries.h"
-#include "core/motion/speed_profile.h"
+#include "core/collision/path_cost.h"
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
@@ -36,7 +36,7 @@ double least_cost(const Planner& planner, const TourRequest& request) {
     if (!one.solved() || !two.solved()) continue;
     Path way = one.path();
     for (const TimedSegment& s : two.segments) way.push_back(s.segment);
-    least = std::min(least, travel_cost(way, planner.vehicle(), request.cusp_cost));
+    least = std::min(least, path_cost(way, planner.vehicle(), {.cusp_cost = request.cusp_cost}));
   }
   return least;
 }
