@@ -1,6 +1,7 @@
 #include "bench/cli/plan_rows.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "arcway/zone.h"
@@ -18,6 +19,23 @@ std::string defect_of(const PlanResult& result) {
   return "the plan takes " + shortest_text(result.travel_time) + " s, less than the lower bound of " +
          shortest_text(result.lower_bound) +
          " s: one of them is wrong. Please report this with the map, the robot and the command";
+}
+
+// What is driven close in a zone; empty if nothing is.
+std::string close_text(const PlanResult& result, std::uint32_t zone) {
+  const auto close = std::ranges::find(result.close_in_zones, zone, &ZoneCloseDriving::zone);
+  if (close == result.close_in_zones.end()) return "";
+  return ", " + fixed(close->close.length, 3) + " m of it closer than " + shortest_text(close->close.distance) +
+         " m to an obstacle, which costs " + fixed(close->close.cost, 3) + " s";
+}
+
+std::string zone_rows(const PlanResult& result) {
+  std::string text;
+  for (const ZoneStay& stay : zone_stays(result))
+    text += row("in zone", zone_text(result.scene->world.zones()[stay.zone], stay.zone) + ", " + fixed(stay.time, 3) +
+                               " s, " + fixed(stay.length, 3) + " m" + close_text(result, stay.zone));
+  if (!result.close_in_zones.empty()) text += row("cost", fixed(result.cost(), 3) + " s");
+  return text;
 }
 
 }  // namespace
@@ -71,10 +89,7 @@ std::string result_rows(const PlanResult& result) {
   if (const auto& close = result.close_driving)
     text += row("driven closer", fixed(close->length, 3) + " m, closer than " + shortest_text(close->distance) +
                                      " m; with that the plan costs " + fixed(result.cost(), 3) + " s");
-  for (const ZoneStay& stay : zone_stays(result))
-    text += row("in zone", zone_text(result.scene->world.zones()[stay.zone], stay.zone) + ", " + fixed(stay.time, 3) +
-                               " s, " + fixed(stay.length, 3) + " m");
-  return text;
+  return text + zone_rows(result);
 }
 
 std::string search_rows(const PlanStatistics& statistics) {

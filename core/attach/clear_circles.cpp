@@ -1,7 +1,7 @@
 #include "core/attach/clear_circles.h"
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <vector>
 
 #include "core/roadmap/extend_feasible_graph.h"
@@ -20,16 +20,33 @@ std::vector<double> clear_radii(const CircleRadii& radii, Side side, const Footp
   return clear;
 }
 
+// The rules of a cost by distance, ascending: those that cost something.
+std::map<double, std::vector<const ClearanceCost::Rule*>> rules_by_distance(const ClearanceCost& cost) {
+  std::map<double, std::vector<const ClearanceCost::Rule*>> rules;
+  for (const ClearanceCost::Rule& rule : cost.rules())
+    if (rule.cost > 0.0) rules[rule.close.distance()].push_back(&rule);
+  return rules;
+}
+
 }  // namespace
 
 Roadmap with_clear_circles(const Roadmap& map) {
-  // Half of the safety margin beyond the distance, as base circles keep it beyond what is checked.
-  const Footprint body = map.clearance_cost->body().grown(0.5 * map.vehicle.safety_margin());
   AddedCircles added;
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const std::vector<double> radii = clear_radii(map.radii, side, body);
-    for (const VertexId v : map.world.convex_vertices())
-      for (const double radius : radii) added.around_vertices.push_back(turn_circle(map.world, v, radius, side, body));
+  for (const auto& [distance, rules] : rules_by_distance(*map.clearance_cost)) {
+    // Half of the safety margin beyond the distance, as base circles keep it beyond what is checked.
+    const Footprint body = rules.front()->close.body().grown(0.5 * map.vehicle.safety_margin());
+    const auto is_wanted = [&rules](const TurnCircle& circle) {
+      const Box around = Box{circle.center, circle.center}.grown(circle.radius);
+      return std::ranges::any_of(rules, [&](const auto* rule) { return rule->may_count_in(around); });
+    };
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const std::vector<double> radii = clear_radii(map.radii, side, body);
+      for (const VertexId v : map.world.convex_vertices())
+        for (const double radius : radii) {
+          const TurnCircle circle = turn_circle(map.world, v, radius, side, body);
+          if (is_wanted(circle)) added.around_vertices.push_back(circle);
+        }
+    }
   }
   return map.with_graph(extend_feasible_graph(map.graph, map.vehicle, added), map.radii);
 }

@@ -4,8 +4,9 @@
 
 namespace arcway::internal {
 
-/// A roadmap with further circles around all vertices, on which the body keeps the preferred distance from its vertex.
-/// They are wider where the body would cover the vertex. The graph is lazy, and has all links of the given one.
+/// A roadmap with further circles around vertices, on which the body keeps a preferred distance from its vertex: around
+/// all of them, and those of clearance zones where a circle comes near the zone. They are wider where the body would
+/// cover the vertex. The graph is lazy, and has all links of the given one.
 /// Precondition: the roadmap has a clearance cost.
 [[nodiscard]] Roadmap with_clear_circles(const Roadmap& map);
 

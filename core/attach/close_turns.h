@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "arcway/heading_set.h"
 #include "core/collision/clearance_cost.h"
 #include "core/roadmap/feasible_graph.h"
 #include "core/roadmap/slot_cache.h"
@@ -22,9 +21,11 @@ class CloseTurns {
   [[nodiscard]] double cost_of(std::uint32_t circle, double heading, double turn) const;
 
  private:
+  using Close = std::vector<ClearanceCost::CloseHeadings>;
+
   std::shared_ptr<const FeasibleGraph> graph_;
   std::shared_ptr<const ClearanceCost> cost_;
-  SlotCache<std::vector<HeadingInterval>> close_;  // by circle
+  SlotCache<Close> close_;  // by circle
 };
 
 }  // namespace arcway::internal

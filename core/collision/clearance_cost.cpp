@@ -1,37 +1,99 @@
 #include "core/collision/clearance_cost.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+#include <variant>
 
 #include "arcway/angle.h"
-#include "core/collision/motion_free.h"
-#include "core/collision/turning_headings.h"
 
 namespace arcway::internal {
 
 namespace {
 
-// Whether a test holds for an edge of an outline whose box, and those around it, pass another one.
-template <class IsNear, class Visitor>
-void visit_edges(const Outlines& outlines, const IsNear& is_near, const Visitor& visit) {
-  outlines.visit_if(is_near, [&](const Outlines::Piece& piece) {
-    for (std::size_t i = 0; i < piece.edge_count(); ++i) {
-      const LineSegment edge{piece.points[i], piece.points[i + 1]};
-      if (is_near(box_of(edge))) visit(edge);
-    }
-    return true;
-  });
+Box box_around(const Vec2& center, double radius) { return Box{center, center}.grown(radius); }
+
+// The parts of a circle in an area, as headings of F from its lowest to its highest, within [-2 pi, 2 pi].
+std::vector<BlockedRange> headings_in(const ZoneArea& area, const Vec2& center, double radius, Side side) {
+  const double sign = sign_of(side);
+  const Vec2 start = center - sign * radius * perpendicular(direction_of(0.0));
+  std::vector<ZoneArea::Stay> stays;
+  area.find_stays({{start.x(), start.y(), 0.0}, kTwoPi * radius, sign / radius}, stays);
+  std::vector<BlockedRange> headings;
+  for (const ZoneArea::Stay& stay : stays) {
+    const double from = sign * stay.from / radius, to = sign * stay.to / radius;
+    headings.push_back({std::min(from, to), std::max(from, to)});
+  }
+  return headings;
+}
+
+// Whatever two sets of headings have in common.
+std::vector<HeadingInterval> common(std::span<const HeadingInterval> headings, std::span<const BlockedRange> ranges) {
+  std::vector<HeadingInterval> result;
+  for (const BlockedRange& range : ranges)
+    for (const HeadingInterval& interval : headings)
+      for (const double turns : {-2.0 * kTwoPi, -kTwoPi, 0.0, kTwoPi}) {
+        const double low = std::max(range.low, interval.low + turns);
+        const double high = std::min(range.high, interval.high + turns);
+        if (low >= high) continue;
+        const double wrapped = wrap_positive(low);
+        result.push_back({wrapped, wrapped + (high - low)});
+      }
+  return result;
 }
 
 }  // namespace
 
+double ClearanceCost::Rule::close_length(const PathSegment& segment) const {
+  if (!area) return close.on(segment);
+  std::vector<ZoneArea::Stay> stays;
+  area->find_stays(segment, stays);
+  double sum = 0.0;
+  for (const ZoneArea::Stay& stay : stays) {
+    PathSegment inside = segment;
+    if (stay.from > 0.0) inside.start = segment.at(stay.from);
+    inside.length = stay.to - stay.from;
+    sum += close.on(inside);
+  }
+  return sum;
+}
+
+bool ClearanceCost::Rule::counts_on(const PathSegment& segment) const {
+  if (!area || !(cost > 0.0)) return cost > 0.0;
+  std::vector<ZoneArea::Stay> stays;
+  area->find_stays(segment, stays);
+  return !stays.empty();
+}
+
+bool ClearanceCost::Rule::may_count_in(const Box& box) const {
+  return cost > 0.0 && (!area || area->box().overlaps(box));
+}
+
+std::shared_ptr<const ClearanceCost> ClearanceCost::of(const Vehicle& vehicle, std::shared_ptr<const Outlines> outlines,
+                                                       const std::optional<ClearancePreference>& preference,
+                                                       std::span<const Zone> zones) {
+  ClearanceCost cost;
+  if (preference)
+    cost.rules_.push_back({CloseLengths(vehicle, outlines, preference->distance), preference->cost, kNone, {}});
+  for (std::uint32_t i = 0; i < zones.size(); ++i)
+    if (const auto* rule = std::get_if<KeepClear>(&zones[i].rule))
+      cost.rules_.push_back({CloseLengths(vehicle, outlines, rule->distance), rule->cost, i, ZoneArea(zones[i].area)});
+  return cost.rules_.empty() ? nullptr : std::make_shared<const ClearanceCost>(std::move(cost));
+}
+
 ClearanceCost::ClearanceCost(const Vehicle& vehicle, std::shared_ptr<const Outlines> outlines,
                              const ClearancePreference& preference)
-    : vehicle_(vehicle),
-      outlines_(std::move(outlines)),
-      preference_(preference),
-      body_(vehicle_.body(preference.distance)) {}
+    : rules_{{CloseLengths(vehicle, std::move(outlines), preference.distance), preference.cost, kNone, {}}} {}
+
+bool ClearanceCost::costs_nothing() const {
+  return std::ranges::all_of(rules_, [](const Rule& rule) { return rule.cost == 0.0; });
+}
+
+double ClearanceCost::of(const PathSegment& segment) const {
+  double sum = 0.0;
+  for (const Rule& rule : rules_)
+    if (rule.cost > 0.0) sum += rule.cost * rule.close_length(segment);
+  return sum;
+}
 
 double ClearanceCost::of(std::span<const PathSegment> path) const {
   double sum = 0.0;
@@ -39,79 +101,19 @@ double ClearanceCost::of(std::span<const PathSegment> path) const {
   return sum;
 }
 
-double ClearanceCost::close_length(const PathSegment& segment) const {
-  if (!(segment.length > 0.0)) return 0.0;
-  const PathSegment ahead = segment.forwards();
-  if (ahead.is_line()) return close_length(StraightBody{ahead.start, ahead.length, body_});
-  const TurningBody turning = turning_body(ahead, body_);
-  return turning.radius * close_angle(turning, ahead.start.heading, ahead.length / turning.radius);
-}
-
-double ClearanceCost::close_length(const StraightBody& straight) const {
-  // The swept rectangle, in the frame of the start.
-  const Box swept{{-body_.rear, -body_.right}, {straight.length + body_.front, body_.left}};
-  const Vec2 ahead = direction_of(straight.from.heading), axis = ahead.cwiseAbs();
-  const auto is_near = [&](const Box& box) {
-    const Vec2 d = 0.5 * (box.min + box.max) - straight.from.position(), half = 0.5 * (box.max - box.min);
-    const Vec2 middle(ahead.dot(d), cross(ahead, d));
-    const Vec2 extent(axis.dot(half), axis.x() * half.y() + axis.y() * half.x());
-    return swept.overlaps({middle - extent, middle + extent});
-  };
-  std::vector<BlockedRange> blocked;
-  visit_edges(*outlines_, is_near, [&](const LineSegment& edge) { append_blocked_stations(straight, edge, blocked); });
-  return length_of_union(blocked);
-}
-
-std::vector<HeadingInterval> ClearanceCost::close_headings(const TurningBody& turning) const {
-  std::vector<HeadingInterval> headings = headings_near(turning, turning.center, reach_of(turning));
-  std::ranges::sort(headings, {}, &HeadingInterval::low);
-  std::vector<HeadingInterval> merged;
-  for (const HeadingInterval& interval : headings) {
-    if (merged.empty() || interval.low > merged.back().high) {
-      merged.push_back(interval);
-    } else {
-      merged.back().high = std::max(merged.back().high, interval.high);
-    }
+std::vector<ClearanceCost::CloseHeadings> ClearanceCost::close_headings(const Vec2& center, double radius,
+                                                                        Side side) const {
+  std::vector<CloseHeadings> result;
+  for (const Rule& rule : rules_) {
+    if (!rule.may_count_in(box_around(center, radius))) continue;
+    std::vector<BlockedRange> inside;
+    if (rule.area) inside = headings_in(*rule.area, center, radius, side);
+    if (rule.area && inside.empty()) continue;
+    std::vector<HeadingInterval> headings = rule.close.headings_on({center, radius, side, rule.close.body()});
+    if (rule.area) headings = common(headings, inside);
+    if (!headings.empty()) result.push_back({rule.cost, std::move(headings)});
   }
-  return merged;
-}
-
-double ClearanceCost::close_angle(const TurningBody& turning, double heading, double angle) const {
-  const double sign = sign_of(turning.side);
-  const auto place_at = [&](double at) {
-    return Vec2(turning.center - sign * turning.radius * perpendicular(direction_of(at)));
-  };
-  const Vec2 middle = place_at(heading + 0.5 * sign * angle);
-  const double driven = angle < kPi ? (place_at(heading) - middle).norm() : 2.0 * turning.radius;
-  return angle_within(headings_near(turning, middle, body_.farthest() + driven), heading, turning.side, angle);
-}
-
-// The headings at which edges within a reach of a place are touched.
-std::vector<HeadingInterval> ClearanceCost::headings_near(const TurningBody& turning, const Vec2& place,
-                                                          double reach) const {
-  const Box around = Box{place, place}.grown(reach);
-  std::vector<HeadingInterval> headings;
-  visit_edges(
-      *outlines_, [&](const Box& box) { return around.overlaps(box); },
-      [&](const LineSegment& edge) {
-        if (may_touch(turning, edge)) append_blocked_headings(turning, edge, headings);
-      });
-  return headings;
-}
-
-// By angles from the first heading in the sense of the turn.
-double angle_within(std::span<const HeadingInterval> headings, double heading, Side side, double angle) {
-  const double sign = sign_of(side);
-  std::vector<BlockedRange> blocked;
-  for (const HeadingInterval& interval : headings) {
-    const double begin = sign > 0.0 ? interval.low : interval.high, length = interval.high - interval.low;
-    double at = wrap_positive(sign * (begin - heading)) - kTwoPi;
-    while (at <= angle) {
-      if (at + length >= 0.0) blocked.push_back({std::max(at, 0.0), std::min(at + length, angle)});
-      at += kTwoPi;
-    }
-  }
-  return length_of_union(blocked);
+  return result;
 }
 
 }  // namespace arcway::internal

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,48 +11,66 @@
 #include "arcway/path.h"
 #include "arcway/sweep_query.h"
 #include "arcway/vehicle.h"
-#include "core/collision/blocked_stations.h"
+#include "arcway/world.h"
+#include "core/collision/close_lengths.h"
 #include "core/model/outlines.h"
+#include "core/zones/zone_area.h"
 
 namespace arcway::internal {
 
-/// What driving close to obstacles costs: see ClearancePreference. It does not depend on speeds or gears. Close lengths
-/// are exact, up to a few units in the last place: on a line those of blocked stations, on an arc those of blocked
-/// headings, of the grown body. A body within an obstacle that touches no edge is not noticed. Immutable; thread-safe.
+/// What driving close to obstacles costs, by the preference of a planner and by the clearance zones of its map. Each of
+/// them counts on its own: where several hold, their costs add up. It does not depend on speeds or gears. Exact as
+/// CloseLengths are. Immutable; thread-safe.
 class ClearanceCost {
  public:
+  /// A cost of driving closer than a distance, everywhere or in a zone.
+  struct Rule {
+    CloseLengths close;
+    double cost;                   ///< [s/m], >= 0
+    std::uint32_t zone = kNone;    ///< among those of the world; kNone: everywhere
+    std::optional<ZoneArea> area;  ///< of the zone
+
+    /// What F drives close on a segment, in the zone if it is one's [m].
+    [[nodiscard]] double close_length(const PathSegment& segment) const;
+    /// Whether driving close on a segment, or a part of it, costs something.
+    [[nodiscard]] bool counts_on(const PathSegment& segment) const;
+    /// Whether a motion of F within a box may cost something.
+    [[nodiscard]] bool may_count_in(const Box& box) const;
+  };
+
+  /// Null if neither the planner nor a zone prefers clearance.
   /// @param outlines  of the world.
+  static std::shared_ptr<const ClearanceCost> of(const Vehicle& vehicle, std::shared_ptr<const Outlines> outlines,
+                                                 const std::optional<ClearancePreference>& preference,
+                                                 std::span<const Zone> zones);
+  /// The cost of one preference.
   ClearanceCost(const Vehicle& vehicle, std::shared_ptr<const Outlines> outlines,
                 const ClearancePreference& preference);
 
-  [[nodiscard]] const ClearancePreference& preference() const { return preference_; }
-  /// The body grown by the preferred distance.
-  [[nodiscard]] const Body& body() const { return body_; }
+  /// The preference of the planner, if it has one, then zones, ascending.
+  [[nodiscard]] std::span<const Rule> rules() const { return rules_; }
+  /// Whether no rule costs anything, so that close driving is measured only.
+  [[nodiscard]] bool costs_nothing() const;
 
-  /// What F drives close on a segment [m]. O(log n + k log k) for k edges near by.
-  [[nodiscard]] double close_length(const PathSegment& segment) const;
-  /// The cost of that [s].
-  [[nodiscard]] double of(const PathSegment& segment) const { return preference_.cost * close_length(segment); }
+  /// The cost of a segment [s].
+  [[nodiscard]] double of(const PathSegment& segment) const;
   /// The cost of a path [s].
   [[nodiscard]] double of(std::span<const PathSegment> path) const;
-  /// The headings at which the grown body touches an obstacle on its circle: disjoint intervals, ascending [rad].
-  [[nodiscard]] std::vector<HeadingInterval> close_headings(const TurningBody& turning) const;
+
+  /// Where turns on a circle cost something.
+  struct CloseHeadings {
+    double cost;                            ///< [s/m], > 0
+    std::vector<HeadingInterval> headings;  ///< which may overlap
+  };
+  /// Those of all rules that count on a circle of F.
+  /// @param radius  [m], > 0
+  [[nodiscard]] std::vector<CloseHeadings> close_headings(const Vec2& center, double radius, Side side) const;
 
  private:
-  [[nodiscard]] double close_length(const StraightBody& straight) const;
-  [[nodiscard]] double close_angle(const TurningBody& turning, double heading, double angle) const;
-  [[nodiscard]] std::vector<HeadingInterval> headings_near(const TurningBody& turning, const Vec2& place,
-                                                           double reach) const;
+  ClearanceCost() = default;
 
-  Vehicle vehicle_;  // has the shape of the body
-  std::shared_ptr<const Outlines> outlines_;
-  ClearancePreference preference_;
-  Body body_;
+  std::vector<Rule> rules_;
 };
-
-/// How much of a turn lies in a union of intervals [rad].
-/// @param angle  of the turn from a heading to a side, >= 0.
-double angle_within(std::span<const HeadingInterval> headings, double heading, Side side, double angle);
 
 /// The cost of driving close on a path [s]; 0 without a preference.
 /// @param cost  may be null.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "arcway/clearance_preference.h"
 #include "arcway/vehicle.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/predicates.h"
@@ -170,19 +171,29 @@ struct RuleComplaint {
   }
   std::string operator()(const SpeedLimit& rule) const {
     if (rule.max_speed >= kSmallestVehicleNumber && rule.max_speed <= kLargestVehicleNumber) return "";
-    const std::string value = std::isnan(rule.max_speed) ? "nan" : shortest_text(rule.max_speed);
-    return "max_speed is " + value + " m/s, must be from " + shortest_text(kSmallestVehicleNumber) + " to " +
-           shortest_text(kLargestVehicleNumber) + (rule.max_speed == 0.0 ? "; a zone to stay out of is a keepout" : "");
+    return "max_speed is " + number_text(rule.max_speed) + " m/s, must be from " +
+           shortest_text(kSmallestVehicleNumber) + " to " + shortest_text(kLargestVehicleNumber) +
+           (rule.max_speed == 0.0 ? "; a zone to stay out of is a keepout" : "");
   }
   std::string operator()(const OneWay& rule) const {
     if (!(std::abs(rule.heading) <= kTwoPi)) return complaint("heading", rule.heading, "-2 pi to 2 pi");
     if (!(rule.tolerance >= 0.0 && rule.tolerance <= kPi)) return complaint("tolerance", rule.tolerance, "0 to pi");
     return "";
   }
+  std::string operator()(const KeepClear& rule) const {
+    constexpr double kMost = ClearancePreference::kMost;
+    if (!(rule.distance > 0.0 && rule.distance <= kMost))
+      return "distance is " + number_text(rule.distance) + " m, must be above 0 and at most " + shortest_text(kMost) +
+             (rule.distance == 0.0 ? "; leave the zone out" : "");
+    if (!(rule.cost >= 0.0 && rule.cost <= kMost))
+      return "cost is " + number_text(rule.cost) + " s/m, must be from 0 to " + shortest_text(kMost);
+    return "";
+  }
 
  private:
+  static std::string number_text(double value) { return std::isnan(value) ? "nan" : shortest_text(value); }
   static std::string complaint(const char* what, double value, const char* range) {
-    const std::string number = std::isnan(value) ? "nan" : shortest_text(value);
+    const std::string number = number_text(value);
     return std::string(what) + " is " + number + " rad, must be from " + range +
            (std::isfinite(value) ? "; if " + number + " is in degrees, write " + shortest_text(value * kPi / 180.0)
                                  : std::string());

@@ -11,7 +11,8 @@ bool KeepOut::is_for(std::string_view vehicle) const {
 }
 
 const char* role_of(const Zone& zone) {
-  constexpr std::array<const char*, std::variant_size_v<ZoneRule>> kRoles{"keepout", "speed_limit", "one_way"};
+  constexpr std::array<const char*, std::variant_size_v<ZoneRule>> kRoles{"keepout", "speed_limit", "one_way",
+                                                                          "clearance"};
   return kRoles[zone.rule.index()];
 }
 

@@ -89,6 +89,12 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   return *this;
 }
 
+double PlanResult::cost() const {
+  double cost = travel_time + (close_driving ? close_driving->cost : 0.0);
+  for (const ZoneCloseDriving& in_zone : close_in_zones) cost += in_zone.close.cost;
+  return cost;
+}
+
 Path PlanResult::path() const { return path_of(segments); }
 
 TimedPath PlanResult::timed_path() const { return timed_path_of(segments); }

@@ -108,6 +108,14 @@ struct AllOptions {
   PlannerOptions checked;  // with all that was chosen for this world
 };
 
+// What a path drives closer to obstacles than a rule asks for.
+CloseDriving driven_close(const ClearanceCost::Rule& rule, std::span<const PathSegment> path) {
+  CloseDriving close{.distance = rule.close.distance()};
+  for (const PathSegment& segment : path) close.length += rule.close_length(segment);
+  close.cost = rule.cost * close.length;
+  return close;
+}
+
 struct ReducedGraph {
   Backend::Graph whole = std::make_shared<const VisibilityGraph>();
   std::shared_ptr<const VisibilityRows> rows;
@@ -164,6 +172,7 @@ struct Planner::Data {
   [[nodiscard]] const Roadmap& map() const { return maps.all.plain; }
 
   [[nodiscard]] std::optional<CloseDriving> close_driving(std::span<const PathSegment> path) const;
+  [[nodiscard]] std::vector<ZoneCloseDriving> close_in_zones(std::span<const PathSegment> path) const;
   // Speeds, clearance and all that follows from a path.
   void complete(const Path& path, Grace grace, SpeedProfile& profile, PlanResult& result) const;
 
@@ -181,12 +190,19 @@ struct Planner::Data {
 };
 
 std::optional<CloseDriving> Planner::Data::close_driving(std::span<const PathSegment> path) const {
-  const ClearanceCost* cost = maps.clearance_cost.get();
-  if (cost == nullptr) return std::nullopt;
-  CloseDriving close{.distance = cost->preference().distance};
-  for (const PathSegment& segment : path) close.length += cost->close_length(segment);
-  close.cost = cost->preference().cost * close.length;
-  return close;
+  if (!options.clearance_preference) return std::nullopt;
+  return driven_close(maps.clearance_cost->rules().front(), path);
+}
+
+std::vector<ZoneCloseDriving> Planner::Data::close_in_zones(std::span<const PathSegment> path) const {
+  std::vector<ZoneCloseDriving> found;
+  if (!maps.clearance_cost) return found;
+  for (const ClearanceCost::Rule& rule : maps.clearance_cost->rules()) {
+    if (rule.zone == kNone) continue;
+    const CloseDriving close = driven_close(rule, path);
+    if (close.length > 0.0) found.push_back({rule.zone, close});
+  }
+  return found;
 }
 
 void Planner::Data::complete(const Path& whole, Grace grace, SpeedProfile& profile, PlanResult& result) const {
@@ -230,6 +246,7 @@ void Planner::Data::complete(const Path& whole, Grace grace, SpeedProfile& profi
   result.travel_time = profile.total_time;
   result.length = length_of(path);
   result.close_driving = close_driving(whole);
+  result.close_in_zones = close_in_zones(whole);
   // Rounding is taken off the bound: a plan below it is a defect.
   assert(result.travel_time >= result.lower_bound);
   result.statistics.profile_seconds += finishing.seconds();
@@ -400,6 +417,10 @@ bool Planner::is_free(std::span<const PathSegment> path) const {
 
 std::optional<CloseDriving> Planner::close_driving(std::span<const PathSegment> path) const {
   return data_->close_driving(path);
+}
+
+std::vector<ZoneCloseDriving> Planner::close_in_zones(std::span<const PathSegment> path) const {
+  return data_->close_in_zones(path);
 }
 
 std::optional<Pose> Planner::nearest_free(const Pose& pose) const {

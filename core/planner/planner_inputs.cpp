@@ -23,8 +23,6 @@ namespace {
 
 // Largest suboptimality: no time overflows.
 constexpr double kLargestSuboptimality = 1e6;
-// Largest distance [m] and cost [s/m] of a clearance preference: no length or time overflows.
-constexpr double kMostPreferred = 1e6;
 // Units in the last place of the largest coordinate that the safety margin must span. Corners, centers and critical
 // angles are off by a few units at most. Grazing contacts are off by the square root of their precision times the
 // reach.
@@ -86,12 +84,12 @@ void require_margin(const World& world, const Vehicle& vehicle) {
 }
 
 void require_preference(const ClearancePreference& preference) {
-  if (!(preference.distance > 0.0 && preference.distance <= kMostPreferred))
+  if (!(preference.distance > 0.0 && preference.distance <= ClearancePreference::kMost))
     throw std::invalid_argument("clearance preference: distance " + shortest_text(preference.distance) +
-                                " m, must be above 0 and at most " + shortest_text(kMostPreferred));
-  if (!(preference.cost >= 0.0 && preference.cost <= kMostPreferred))
+                                " m, must be above 0 and at most " + shortest_text(ClearancePreference::kMost));
+  if (!(preference.cost >= 0.0 && preference.cost <= ClearancePreference::kMost))
     throw std::invalid_argument("clearance preference: cost " + shortest_text(preference.cost) +
-                                " s/m, must be from 0 to " + shortest_text(kMostPreferred));
+                                " s/m, must be from 0 to " + shortest_text(ClearancePreference::kMost));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 // The roadmap on which a clearance cost counts, if it is not 0.
 Roadmap preferring(Roadmap map, const std::shared_ptr<const ClearanceCost>& cost) {
-  if (!cost || cost->preference().cost == 0.0) return map;
+  if (!cost || cost->costs_nothing()) return map;
   return with_clear_circles(map.with_cost(cost));
 }
 
@@ -34,9 +34,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
                          const std::shared_ptr<const VisibilityRows>& rows, const Executor& executor,
                          const MapsBefore* before)
     : base_graph(map.graph),
-      clearance_cost(options.clearance_preference ? std::make_shared<const ClearanceCost>(map.vehicle, map.outlines,
-                                                                                          *options.clearance_preference)
-                                                  : nullptr),
+      clearance_cost(ClearanceCost::of(map.vehicle, map.outlines, options.clearance_preference, map.world.zones())),
       all(preferring(std::move(map), clearance_cost), options.gap_circles),
       slim(all.plain, rows),
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {

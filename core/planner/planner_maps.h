@@ -48,7 +48,7 @@ struct PlannerMaps {
   }
 
   std::shared_ptr<const FeasibleGraph> base_graph;      ///< of all radii, without the circles of a preference
-  std::shared_ptr<const ClearanceCost> clearance_cost;  ///< of the preference, if there is one, whatever it costs
+  std::shared_ptr<const ClearanceCost> clearance_cost;  ///< of preference and zones, if there are any, whatever it is
   PlanMaps all;
   std::optional<Roadmap> backwards;  ///< see `in`
   SlimMaps slim;

@@ -1,10 +1,9 @@
 #include "arcway/zone_stay.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "core/zones/speed_zones.h"
+#include "core/zones/zone_area.h"
 
 namespace arcway {
 
@@ -13,23 +12,20 @@ using namespace internal;
 namespace {
 
 // What a motion drives inside an area.
-ZoneStay stay_in(const Polygon& area, const Trajectory& motion) {
-  const Zone inside{area, SpeedLimit{1.0}};
-  const SpeedZones cuts({&inside, 1});
-  ZoneStay stay{0, 0.0, 0.0};
+ZoneStay stay_in(const ZoneArea& area, const Trajectory& motion) {
+  ZoneStay sum{0, 0.0, 0.0};
   double driven = 0.0;
-  std::vector<SpeedZones::Stretch> stretches;
+  const auto time_at = [&](double distance) { return motion.at_distance(std::min(distance, motion.length())).time; };
+  std::vector<ZoneArea::Stay> stays;
   for (const TimedSegment& timed : motion.segments()) {
-    cuts.cut(timed.segment, stretches);
-    for (const SpeedZones::Stretch& stretch : stretches) {
-      const double from = std::min(driven, motion.length()), to = std::min(driven + stretch.length, motion.length());
-      driven += stretch.length;
-      if (std::isinf(stretch.cap)) continue;
-      stay.length += stretch.length;
-      stay.time += motion.at_distance(to).time - motion.at_distance(from).time;
+    area.find_stays(timed.segment, stays);
+    for (const ZoneArea::Stay& stay : stays) {
+      sum.length += stay.to - stay.from;
+      sum.time += time_at(driven + stay.to) - time_at(driven + stay.from);
     }
+    driven += timed.segment.length;
   }
-  return stay;
+  return sum;
 }
 
 }  // namespace
@@ -40,7 +36,7 @@ std::vector<ZoneStay> zone_stays(const PlanResult& plan) {
   const Trajectory motion = plan.trajectory();
   const std::span<const Zone> zones = plan.scene->world.zones();
   for (std::uint32_t i = 0; i < zones.size(); ++i) {
-    ZoneStay stay = stay_in(zones[i].area, motion);
+    ZoneStay stay = stay_in(ZoneArea(zones[i].area), motion);
     stay.zone = i;
     if (stay.length > 0.0) stays.push_back(stay);
   }

@@ -111,17 +111,22 @@ class InteriorPoint {
   [[nodiscard]] const ArcChain& chain() const { return system_.chain; }
   [[nodiscard]] std::size_t bounds() const { return system_.bounds.size(); }
 
-  // Parts that keep the preferred distance, or nearly so, need a body grown by that.
+  // Parts that keep a preferred distance, or nearly so, need a body grown by that.
   void find_growths() {
     growths_.clear();
     if (query_.clearance == nullptr) return;
-    const double distance = query_.clearance->preference().distance;
-    const double growth = std::max(0.0, distance - 0.5 * query_.vehicle.safety_margin());
-    for (std::uint32_t part = 0; part < 2 * chain().arcs.size() + 1; ++part) {
-      const PathSegment segment = segment_of(chain(), part);
-      const double close = query_.clearance->close_length(segment);
-      growths_.push_back(close > kGrazing * query_.vehicle.footprint().length() ? 0.0 : growth);
+    for (std::uint32_t part = 0; part < 2 * chain().arcs.size() + 1; ++part)
+      growths_.push_back(growth_of(segment_of(chain(), part)));
+  }
+
+  [[nodiscard]] double growth_of(const PathSegment& segment) const {
+    double growth = 0.0;
+    for (const ClearanceCost::Rule& rule : query_.clearance->rules()) {
+      const bool keeps_it =
+          rule.counts_on(segment) && rule.close_length(segment) <= kGrazing * query_.vehicle.footprint().length();
+      if (keeps_it) growth = std::max(growth, rule.close.distance() - 0.5 * query_.vehicle.safety_margin());
     }
+    return growth;
   }
 
   void begin_barrier() {

@@ -31,7 +31,7 @@ struct ChainQuery {
   ChainEffort effort;
   StopClock clock = {};  ///< asked before each iteration
   EndSpeeds ends = {};   ///< of the path
-  /// What driving close to obstacles costs; may be null. Parts of the chain that keep the preferred distance keep it.
+  /// What driving close to obstacles costs; may be null. Parts of the chain that keep a preferred distance keep it.
   const ClearanceCost* clearance = nullptr;
 };
 

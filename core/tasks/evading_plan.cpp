@@ -23,6 +23,7 @@ PlanResult in_conflict(PlanResult plan, const Trajectory& given, std::span<const
   plan.first_path = {};
   plan.travel_time = plan.length = plan.min_clearance = 0.0;
   plan.close_driving.reset();
+  plan.close_in_zones.clear();
   return plan;
 }
 

@@ -302,6 +302,7 @@ class TourPlanner {
       plan.segments[i] = {path[i], profile.speeds[i], profile.speeds[i + 1], profile.durations[i]};
     plan.travel_time = profile.total_time;
     plan.close_driving = planner_.close_driving(path);
+    plan.close_in_zones = planner_.close_in_zones(path);
     const bool one_plan = legs.size() == 1 && request_.goals.size() == 1 && request_.goals[0].heading;
     if (one_plan) {
       plan.lower_bound = legs.front()->lower_bound;

@@ -21,16 +21,18 @@ namespace {
 using detail::shown;
 using nlohmann::json;
 
-enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal, kKeepOut, kSpeedLimit, kOneWay };
+enum class Role { kUnstated, kObstacle, kBoundary, kStart, kGoal, kKeepOut, kSpeedLimit, kOneWay, kClearance };
 
-bool is_zone(Role role) { return role == Role::kKeepOut || role == Role::kSpeedLimit || role == Role::kOneWay; }
+bool is_zone(Role role) { return role >= Role::kKeepOut; }
 
 constexpr int kMaxDepth = 32;  // nesting of geometry collections
 
-constexpr std::string_view kRoles[] = {"obstacle", "boundary", "start", "goal", "keepout", "speed_limit", "one_way"};
+constexpr std::string_view kRoles[] = {"obstacle", "boundary",    "start",   "goal",
+                                       "keepout",  "speed_limit", "one_way", "clearance"};
 constexpr std::string_view kKeepOutProperties[] = {"role", "curve", "id", "name", "vehicles"};
 constexpr std::string_view kSpeedLimitProperties[] = {"role", "curve", "id", "name", "max_speed"};
 constexpr std::string_view kOneWayProperties[] = {"role", "curve", "id", "name", "heading", "tolerance"};
+constexpr std::string_view kClearanceProperties[] = {"role", "curve", "id", "name", "distance", "cost"};
 constexpr std::string_view kTopProperties[] = {"bounds", "start", "goal", "id", "name"};
 constexpr std::string_view kReadProperties[] = {"role", "curve", "heading", "id", "name"};
 // Parts of properties that elsewhere say where, when or how fast one may drive, and whole names that do.
@@ -110,6 +112,7 @@ class GeoJsonReader {
     if (role == Role::kKeepOut) return kKeepOutProperties;
     if (role == Role::kSpeedLimit) return kSpeedLimitProperties;
     if (role == Role::kOneWay) return kOneWayProperties;
+    if (role == Role::kClearance) return kClearanceProperties;
     return kReadProperties;
   }
   // A zone says how one may drive, and so may all of its properties.
@@ -221,6 +224,7 @@ class GeoJsonReader {
     if (*role == "keepout") return Role::kKeepOut;
     if (*role == "speed_limit") return Role::kSpeedLimit;
     if (*role == "one_way") return Role::kOneWay;
+    if (*role == "clearance") return Role::kClearance;
     map_.warn(place, unknown_word("role", role->is_string() ? role->get<std::string>() : shown(*role), kRoles) +
                          "; the feature is taken as an obstacle");
     return Role::kObstacle;
@@ -300,6 +304,8 @@ class GeoJsonReader {
     if (role == Role::kSpeedLimit) return SpeedLimit{needed("speed_limit", "max_speed", "m/s")};
     if (role == Role::kOneWay)
       return OneWay{needed("one_way", "heading", "rad"), needed("one_way", "tolerance", "rad")};
+    if (role == Role::kClearance)
+      return KeepClear{needed("clearance", "distance", "m"), needed("clearance", "cost", "s/m")};
     KeepOut rule;
     const auto vehicles = properties.find("vehicles");
     if (vehicles == properties.end() || vehicles->is_null()) return rule;

@@ -69,6 +69,13 @@ struct RuleText {
     detail::append_number(text, rule.tolerance);
     return text;
   }
+  std::string operator()(const KeepClear& rule) const {
+    std::string text = ",\"distance\":";
+    detail::append_number(text, rule.distance);
+    text += ",\"cost\":";
+    detail::append_number(text, rule.cost);
+    return text;
+  }
 };
 
 std::string properties_of(const Zone& zone) {

@@ -69,6 +69,15 @@ void append_bottleneck(std::string& out, const Bottleneck& bottleneck) {
   out += "]}";
 }
 
+void append_close_driving(std::string& out, const CloseDriving& close) {
+  append_key(out, "close_driving");
+  out += R"({"distance":)";
+  append_number(out, close.distance);
+  append_member(out, "length", close.length);
+  append_member(out, "cost", close.cost);
+  out += '}';
+}
+
 // Where the plan enters zones.
 void append_zones(std::string& out, const PlanResult& result) {
   const std::vector<ZoneStay> stays = zone_stays(result);
@@ -85,21 +94,11 @@ void append_zones(std::string& out, const PlanResult& result) {
     detail::append_string(out, zone.name);
     append_member(out, "length", stay.length);
     append_member(out, "time", stay.time);
+    for (const ZoneCloseDriving& in_zone : result.close_in_zones)
+      if (in_zone.zone == stay.zone) append_close_driving(out, in_zone.close);
     out += '}';
   }
   out += ']';
-}
-
-// The cost of a plan that prefers clearance, and what is driven close.
-void append_close_driving(std::string& out, const PlanResult& result) {
-  if (!result.close_driving) return;
-  append_member(out, "cost", result.cost());
-  append_key(out, "close_driving");
-  out += R"({"distance":)";
-  append_number(out, result.close_driving->distance);
-  append_member(out, "length", result.close_driving->length);
-  append_member(out, "cost", result.close_driving->cost);
-  out += '}';
 }
 
 }  // namespace
@@ -131,7 +130,8 @@ std::string plan_to_json(const PlanResult& result, std::uint64_t q, const std::o
   }
   append_member(out, "lower_bound", result.lower_bound);
   if (result.solved()) append_member(out, "min_clearance", result.min_clearance);
-  append_close_driving(out, result);
+  if (result.close_driving || !result.close_in_zones.empty()) append_member(out, "cost", result.cost());
+  if (result.close_driving) append_close_driving(out, *result.close_driving);
   append_zones(out, result);
   append_key(out, "path");
   out += '[';

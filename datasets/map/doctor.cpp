@@ -47,6 +47,10 @@ struct RuleText {
     return " in direction " + shortest_text(rule.heading) + " rad, to either side " + shortest_text(rule.tolerance) +
            " rad";
   }
+  std::string operator()(const KeepClear& rule) const {
+    return " of " + shortest_text(rule.distance) + " m; each meter driven closer costs " + shortest_text(rule.cost) +
+           " s";
+  }
 };
 
 class Examiner {

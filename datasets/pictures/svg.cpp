@@ -103,18 +103,25 @@ std::string open_layer(const std::string& id, const std::string& attributes) {
 // In a caption.
 std::string square(std::string_view color) { return "<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> "; }
 
-// Okabe and Ito's vermilion for zones to stay out of, their orange for those to drive slowly in, their purple for those
-// to drive in one direction.
+// Colors of Okabe and Ito: vermilion for zones to stay out of, orange for those to drive slowly in. Purple for those to
+// drive in one direction, sky blue for those to keep a distance in.
 std::string_view zone_color(const Zone& zone) {
-  constexpr std::array<std::string_view, std::variant_size_v<ZoneRule>> kColors{"#d55e00", "#e69f00", "#cc79a7"};
+  constexpr std::array<std::string_view, std::variant_size_v<ZoneRule>> kColors{"#d55e00", "#e69f00", "#cc79a7",
+                                                                                "#56b4e9"};
   return kColors[zone.rule.index()];
 }
 
-// A pattern of slanted lines, in meters. The two roles slant to different sides.
+// The angle of the lines that hatch a role [degrees]: each has its own.
+std::string_view slant_of(const std::string& role) {
+  if (role == "keepout") return "45";
+  return role == "speed_limit" ? "-45" : "0";
+}
+
+// A pattern of parallel lines, in meters.
 std::string hatch(const std::string& role, const std::string& color, double scale) {
   const std::string width = shortest_text(kHatch / scale), line = shortest_text(kHatchLine / scale);
   return "<pattern id=\"hatch-" + role + "\" patternUnits=\"userSpaceOnUse\" width=\"" + width + "\" height=\"" +
-         width + "\" patternTransform=\"rotate(" + (role == "keepout" ? "45" : "-45") + ")\"><path d=\"M0 0V" + width +
+         width + "\" patternTransform=\"rotate(" + std::string(slant_of(role)) + ")\"><path d=\"M0 0V" + width +
          "\" stroke=\"" + color + "\" stroke-width=\"" + line + "\"/></pattern>\n";
 }
 
@@ -130,13 +137,15 @@ std::string arrows(const std::string& id, double heading, const std::string& col
          "\"/></pattern>\n";
 }
 
-// "school 2 m/s", "dock for van", "lane 1.57 ± 0.1 rad", "zone 3".
+// "school 2 m/s", "dock for van", "lane 1.57 ± 0.1 rad", "hall 0.5 m, 10 s/m", "zone 3".
 std::string legend_text(const Zone& zone, std::size_t index) {
   std::string text = zone.name.empty() ? "zone " + std::to_string(index) : zone.name;
   if (const auto* limit = std::get_if<SpeedLimit>(&zone.rule))
     return text + " " + rounded_text(limit->max_speed) + " m/s";
   if (const auto* way = std::get_if<OneWay>(&zone.rule))
     return text + " " + rounded_text(way->heading) + " \u00B1 " + rounded_text(way->tolerance) + " rad";
+  if (const auto* clear = std::get_if<KeepClear>(&zone.rule))
+    return text + " " + rounded_text(clear->distance) + " m, " + rounded_text(clear->cost) + " s/m";
   const std::vector<std::string>& vehicles = std::get<KeepOut>(zone.rule).vehicles;
   for (std::size_t i = 0; i < vehicles.size(); ++i) text += (i == 0 ? " for " : " and ") + vehicles[i];
   return text;

@@ -77,6 +77,20 @@ TEST_F(Tool, PlansAreAsTheirSchemaSays) {
     expect_valid("plan", read("p.json"));
     expect_valid("nav_msgs_path", read("r.json"));
   }
+  put("zone.geojson",
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"role":"boundary"},"geometry":)"
+      R"({"type":"Polygon","coordinates":[[[0,0],[60,0],[60,4],[0,4],[0,0]]]}},{"type":"Feature","properties":)"
+      R"({"role":"clearance","distance":3,"cost":1.5,"name":"lane"},"geometry":)"
+      R"({"type":"Polygon","coordinates":[[[20,0],[30,0],[30,4],[20,4],[20,0]]]}}]})");
+  const Run zone = run("plan " + file("zone.geojson") + " --start 5,2,0 --goal 50,2,0 --json " + file("z.json"));
+  EXPECT_NE(zone.out.find("clearance zone \"lane\""), std::string::npos) << zone.out;
+  EXPECT_NE(zone.out.find("10.000 m of it closer than 3 m to an obstacle, which costs 15.000 s"), std::string::npos)
+      << zone.out;
+  expect_valid("map", read("zone.geojson"));
+  expect_valid("plan", read("z.json"));
+  const nlohmann::json plan_in_zone = nlohmann::json::parse(read("z.json"));
+  EXPECT_NEAR(plan_in_zone["zones"][0]["close_driving"]["cost"].get<double>(), 15.0, 1e-3);
+  EXPECT_NEAR(plan_in_zone["cost"].get<double>(), plan_in_zone["travel_time"].get<double>() + 15.0, 1e-3);
   put("narrow.wkt",
       "MULTIPOLYGON (((0 29, 29.7 29, 29.7 31, 0 31, 0 29)), ((30.3 29, 60 29, 60 31, 30.3 31, 30.3 29)))");
   static_cast<void>(run("plan " + file("narrow.wkt") + " --start 30,20,0 --goal 30,40,0 --json " + file("n.json")));

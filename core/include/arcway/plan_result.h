@@ -111,6 +111,9 @@ struct ARCWAY_API PlanResult {
   std::size_t clearance_index = 0;  ///< its index
   /// What is driven closer to obstacles than PlannerOptions::clearance_preference; nothing without a preference.
   std::optional<CloseDriving> close_driving;
+  /// What is driven in clearance zones closer to obstacles than they ask for: zones where that is more than nothing,
+  /// ascending.
+  std::vector<ZoneCloseDriving> close_in_zones;
   /// Unless solved: the narrowest gap of the widest route from start to goal. Nothing if that gap is wide enough for
   /// the tightest turn, or as wide as the room around start or goal, or if the query was interrupted.
   std::optional<Bottleneck> bottleneck;
@@ -119,7 +122,7 @@ struct ARCWAY_API PlanResult {
   /// the world alive.
   std::shared_ptr<const PlanScene> scene;
   /// What planning keeps down, but for PlanRequest::cusp_cost: the travel time, plus the cost of driving close [s].
-  [[nodiscard]] double cost() const { return travel_time + (close_driving ? close_driving->cost : 0.0); }
+  [[nodiscard]] double cost() const;
   /// By which share the plan may be slower than the best one at most: travel_time / lower_bound - 1, or 0 if the plan
   /// takes no time.
   [[nodiscard]] double optimality_gap() const { return travel_time > 0.0 ? travel_time / lower_bound - 1.0 : 0.0; }

@@ -76,7 +76,8 @@ struct PlannerOptions {
   RefineOptions refinement = {};
   /// Room that plans keep where they can: a plan costs its travel time plus that of driving close to obstacles.
   /// Searches and refinement keep this cost down instead of the time. The graph then also has circles that keep the
-  /// distance from vertices, and is checked lazily. Empty: time alone counts.
+  /// distance from vertices, and is checked lazily. Clearance zones of the map do the same where they lie. Empty: time
+  /// alone counts, but for zones.
   std::optional<ClearancePreference> clearance_preference = std::nullopt;
   /// Rows of the strategy and moves of refinement to do without, by their names: to find out what each of them brings,
   /// or to have answers sooner. The tables in core/README.md list them.
@@ -234,6 +235,9 @@ class ARCWAY_API Planner {
   /// What a path drives closer to obstacles than PlannerOptions::clearance_preference, in whichever gears; nothing
   /// without a preference. O(log n + edges near by) a segment. Thread-safe.
   [[nodiscard]] std::optional<CloseDriving> close_driving(std::span<const PathSegment> path) const;
+  /// What a path drives in clearance zones closer to obstacles than they ask for, as PlanResult::close_in_zones.
+  /// O(log n + edges near by) a segment and zone. Thread-safe.
+  [[nodiscard]] std::vector<ZoneCloseDriving> close_in_zones(std::span<const PathSegment> path) const;
   /// The pose itself if it is free, else the nearest free one of a pattern, by how far the body's points move:
   /// - the same position, with headings turned by multiples of 15 degrees;
   /// - the same heading, up to two diagonals of the body away, in 24 directions.

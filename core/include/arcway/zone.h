@@ -37,8 +37,16 @@ struct OneWay {
   friend bool operator==(const OneWay&, const OneWay&) = default;
 };
 
+/// A zone in which vehicles keep a distance from obstacles where that pays: ClearancePreference, as far as F is in the
+/// zone, border included. Costs of zones that overlap, and that of the planner's own preference, add up.
+struct KeepClear {
+  double distance;  ///< by which the body is grown [m], above 0 and at most ClearancePreference::kMost
+  double cost;      ///< of driving close [s/m], from 0 to ClearancePreference::kMost; 0: measured only
+  friend bool operator==(const KeepClear&, const KeepClear&) = default;
+};
+
 /// What a zone asks of vehicles.
-using ZoneRule = std::variant<KeepOut, SpeedLimit, OneWay>;
+using ZoneRule = std::variant<KeepOut, SpeedLimit, OneWay, KeepClear>;
 
 /// A part of the map with a rule for vehicles. Zones may overlap, nest, and cover obstacles; all rules hold.
 struct Zone {
@@ -47,7 +55,7 @@ struct Zone {
   std::string name = {};  ///< for messages; need not be unique
 };
 
-/// The role of a zone in map files: "keepout", "speed_limit" or "one_way".
+/// The role of a zone in map files: "keepout", "speed_limit", "one_way" or "clearance".
 ARCWAY_API const char* role_of(const Zone& zone);
 
 /// "keepout zone \"dock\"", or "zone 3 (keepout)" without a name.

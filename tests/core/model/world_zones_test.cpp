@@ -140,6 +140,13 @@ TEST(WorldZones, WrongOnesAreRefusedByNameValueAndLimit) {
   EXPECT_EQ(error_of({{area, OneWay{nan, 0.0}}}),
             "0; zone 0 (one_way): heading is nan rad, must be from -2 pi to 2 pi");
   EXPECT_NE(error_of({{area, OneWay{0.0, nan}}}).find("tolerance is nan rad, must be from 0 to pi"), std::string::npos);
+  EXPECT_EQ(error_of({{area, KeepClear{1e-9, 0.0}}, {area, KeepClear{1e6, 1e6}}}), "");
+  EXPECT_EQ(error_of({{area, KeepClear{0.0, 1.0}, "hall"}}),
+            "0; clearance zone \"hall\": distance is 0 m, must be above 0 and at most 1e+06; leave the zone out");
+  EXPECT_NE(error_of({{area, KeepClear{nan, 1.0}}}).find("distance is nan m, must be above 0"), std::string::npos);
+  EXPECT_NE(error_of({{area, KeepClear{2e6, 1.0}}}).find("distance is 2e+06 m, must be above 0"), std::string::npos);
+  EXPECT_EQ(error_of({{area, KeepClear{0.5, -1.0}}}), "0; zone 0 (clearance): cost is -1 s/m, must be from 0 to 1e+06");
+  EXPECT_NE(error_of({{area, KeepClear{0.5, INFINITY}}}).find("cost is inf s/m"), std::string::npos);
   EXPECT_NE(error_of({{area, KeepOut{{"van", ""}}}}).find("a name of \"vehicles\" is empty"), std::string::npos);
   EXPECT_EQ(error_of({{{{{0, 0}, {1, 0}}, {}}, KeepOut{}, "stub"}}),
             "0; keepout zone \"stub\", ring 0: a ring needs at least 3 vertices, this one has 2");

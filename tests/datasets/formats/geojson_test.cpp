@@ -365,10 +365,12 @@ TEST(GeoJson, ReadsZones) {
                  feature(polygon(kSquare), R"({"role":"keepout","vehicles":["van","truck"]})") + "," +
                  feature(R"({"type":"MultiPolygon","coordinates":[[)" + std::string(kSquare) + "],[" + kSquare + "]]}",
                          R"({"role":"speed_limit","max_speed":2.5,"name":7})") +
-                 "," + feature(polygon(kSquare), R"({"role":"one_way","heading":1.5,"tolerance":0.25})")));
+                 "," + feature(polygon(kSquare), R"({"role":"one_way","heading":1.5,"tolerance":0.25})") + "," +
+                 feature(polygon(kSquare), R"({"role":"clearance","distance":0.5,"cost":10})")));
   EXPECT_TRUE(map.obstacles.empty());
   EXPECT_TRUE(map.warnings.empty()) << map.warnings.front();
-  ASSERT_EQ(map.zones.size(), 5u);
+  ASSERT_EQ(map.zones.size(), 6u);
+  EXPECT_EQ(map.zones[5].rule, ZoneRule(KeepClear{0.5, 10.0}));
   EXPECT_EQ(map.zones[4].rule, ZoneRule(OneWay{1.5, 0.25}));
   EXPECT_EQ(map.zones[0].rule, ZoneRule(KeepOut{}));
   EXPECT_EQ(map.zones[0].name, "dock");
@@ -385,11 +387,12 @@ TEST(GeoJson, ZonesReadBackToTheSame) {
   map.zones = {{{ring, {hole}}, KeepOut{}, "a \"b\""},
                {{ring, {}}, KeepOut{{"x", "y"}}, ""},
                {{ring, {}}, SpeedLimit{0.1}, "c"},
-               {{ring, {}}, OneWay{-0.1, 0.7}, "d"}};
+               {{ring, {}}, OneWay{-0.1, 0.7}, "d"},
+               {{ring, {}}, KeepClear{0.3, 0.1}, "e"}};
   const MapFile back = geojson_of(to_geojson(map));
-  ASSERT_EQ(back.zones.size(), 4u);
+  ASSERT_EQ(back.zones.size(), 5u);
   EXPECT_TRUE(back.zones[3].area.holes.empty());
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(back.zones[i].rule, map.zones[i].rule);
     EXPECT_EQ(back.zones[i].name, map.zones[i].name);
     EXPECT_EQ(back.zones[i].area.outer, ring);
@@ -403,8 +406,13 @@ TEST(GeoJson, WarnsOfPropertiesThatZonesDoNotHave) {
                                             feature(polygon(kSquare), R"({"role":"keepout","max_speed":3})") + "," +
                                             feature(polygon(kSquare), R"({"role":"keepout","vehicle":["van"]})") + "," +
                                             feature(polygon(kSquare), R"({"role":"one_way","heading":1,"tolerance":1,)"
-                                                                      R"("max_speed":1})")));
-  ASSERT_EQ(map.warnings.size(), 3u);
+                                                                      R"("max_speed":1})") +
+                                            "," +
+                                            feature(polygon(kSquare), R"({"role":"clearance","distance":1,"cost":1,)"
+                                                                      R"("dist":1})")));
+  ASSERT_EQ(map.warnings.size(), 4u);
+  EXPECT_EQ(map.warnings[3],
+            "world.geojson: feature 4: the property \"dist\" of a zone is not read; did you mean \"distance\"?");
   EXPECT_EQ(map.warnings[2],
             "world.geojson: feature 3: the property \"max_speed\" of a zone is not read; these are: role curve id name "
             "heading tolerance");
@@ -431,6 +439,10 @@ TEST(GeoJson, RefusesWrongZones) {
             "world.geojson: feature 0: a one_way needs the property \"tolerance\" [rad]");
   EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"one_way","heading":"90deg","tolerance":1})")),
             "world.geojson: feature 0, heading: expected a number, found \"90deg\"");
+  EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"clearance","distance":1})")),
+            "world.geojson: feature 0: a clearance needs the property \"cost\" [s/m]");
+  EXPECT_EQ(geojson_error(feature(polygon(kSquare), R"({"role":"clearance","cost":1})")),
+            "world.geojson: feature 0: a clearance needs the property \"distance\" [m]");
   const std::string wrong = feature(polygon(kSquare), R"({"role":"speed_limit","max_speed":0,"name":"yard"})");
   EXPECT_EQ(test::format_error_of([&] { static_cast<void>(to_world(geojson_of(wrong), "w.geojson")); }).substr(0, 71),
             "w.geojson: feature 0: speed_limit zone \"yard\": max_speed is 0 m/s, must");

@@ -193,13 +193,15 @@ TEST(PreparedMap, KeepsZones) {
       small_world().with_zones({{{test::square(-4, 10, 2), {}}, KeepOut{}, "dock"},
                                 {{test::square(-4, 16, 2), {}}, KeepOut{{"van"}}, ""},
                                 {{test::square(14, 14, 3), {test::square(15, 15, 1)}}, SpeedLimit{0.1}, ""},
-                                {{test::square(-8, -8, 3), {}}, OneWay{0.1, 0.2}, "lane"}});
+                                {{test::square(-8, -8, 3), {}}, OneWay{0.1, 0.2}, "lane"},
+                                {{test::square(-9, 20, 3), {}}, KeepClear{0.5, 0.1}, "hall"}});
   const SerialExecutor executor;
   const PreparedMap map = prepare(world.for_vehicle(Vehicle{}), executor);
   const std::string bytes = to_bytes(map);
   PreparedMap back = read_prepared_map(bytes, "m");
   EXPECT_EQ(to_bytes(back), bytes);
-  ASSERT_EQ(back.world.zones().size(), 4u);
+  ASSERT_EQ(back.world.zones().size(), 5u);
+  EXPECT_EQ(back.world.zones()[4].rule, ZoneRule(KeepClear{0.5, 0.1}));
   EXPECT_EQ(back.world.zones()[3].rule, ZoneRule(OneWay{0.1, 0.2}));
   EXPECT_EQ(back.world.zones()[2].rule, ZoneRule(SpeedLimit{0.1}));
   EXPECT_EQ(back.world.zones()[2].area.holes.size(), 1u);

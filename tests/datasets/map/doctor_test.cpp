@@ -311,6 +311,12 @@ TEST(Doctor, ListsZonesAndFindsWhatIsWrongWithThem) {
   EXPECT_EQ(report.findings[0].what, "one_way zone \"aisle\" in direction 1.5 rad, to either side 0.25 rad");
   EXPECT_TRUE(report.plans());
 
+  map.zones = {{{box_ring(1, 1, 2, 2), {}}, KeepClear{0.5, 10.0}, "hall"}};
+  report = examine(map);
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings[0].what, "clearance zone \"hall\" of 0.5 m; each meter driven closer costs 10 s");
+  EXPECT_TRUE(report.plans());
+
   map.zones = {{{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}, KeepOut{}, ""}};
   report = examine(map);
   ASSERT_EQ(report.findings.size(), 2u);

@@ -305,6 +305,17 @@ TEST(Svg, HatchesZonesWithALegend) {
   EXPECT_EQ(SvgPicture(world.with_zones({}), 1000.0).str().find("zone"), std::string::npos);
 }
 
+TEST(Svg, HatchesClearanceZonesWithTheirNumbers) {
+  const World world = World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}})
+                          .with_zones({{{{{20, 0}, {30, 0}, {30, 9}}, {}}, KeepClear{0.5, 10.0}, "hall"},
+                                       {{{{40, 0}, {50, 0}, {50, 9}}, {}}, KeepClear{0.25, 0.0}, ""}});
+  const std::string svg = SvgPicture(world, 1000.0).str();
+  for (const char* part : {"<pattern id=\"hatch-clearance\"", "patternTransform=\"rotate(0)\"",
+                           "clearance: hall 0.5 m, 10 s/m, zone 1 0.25 m, 0 s/m"})
+    EXPECT_EQ(count(svg, part), 1u) << part << "\n" << svg;
+  EXPECT_EQ(count(svg, "fill=\"url(#hatch-clearance)\""), 2u);
+}
+
 TEST(Svg, FillsOneWayZonesWithArrowsInTheirDirections) {
   const World world = World({}, Ring{{0, 0}, {100, 0}, {100, 50}, {0, 50}})
                           .with_zones({{{{{20, 0}, {30, 0}, {30, 9}}, {}}, OneWay{0.5 * kPi, 0.25}, "aisle"},

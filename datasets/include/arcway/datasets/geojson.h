@@ -24,6 +24,7 @@ namespace arcway {
 ///   obstacles); "start", "goal" (a Point, with the property `heading`).
 /// - Polygons and MultiPolygons of other roles are zones with a `name`. A "keepout" may have `vehicles`, names of
 ///   robots; left out: all. A "speed_limit" has `max_speed` [m/s]. A "one_way" has `heading` and `tolerance` [rad].
+///   A "clearance" has `distance` [m] and `cost` [s/m].
 /// - Top-level `properties`: `bounds` as [xmin, ymin, xmax, ymax], `start` and `goal` as [x, y, heading]. Bounds, start
 ///   or goal given twice are an error.
 ///
