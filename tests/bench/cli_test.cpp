@@ -736,6 +736,42 @@ TEST_F(Tool, MapsOfWallsAloneAreNotEmpty) {
   EXPECT_EQ(run("plan " + walls + kAround + " --wall-width 0.5").code, 0);
 }
 
+TEST_F(Tool, WritesZonesAsMasksOfFilters) {
+  const auto zone = [](const std::string& properties, const std::string& ring) {
+    return R"({"type":"Feature","properties":{)" + properties + R"(},"geometry":{"type":"Polygon","coordinates":[)" +
+           ring + "]}}";
+  };
+  const std::string map = put(
+      "zones.geojson", R"({"type":"FeatureCollection","planar":{"unit":"m"},"features":[)" +
+                           zone(R"("role":"keepout","name":"dock")", "[[2,2],[4,2],[4,3],[2,2]]") + "," +
+                           zone(R"("role":"speed_limit","max_speed":0.5)", "[[8,0],[9,0],[9,1],[8,1],[8,0]]") + "]}");
+  const Run keepout = run("convert " + map + " " + file("k.yaml") + " --filter-mask keepout --mask-resolution 0.5");
+  ASSERT_EQ(keepout.code, 0) << keepout.err;
+  EXPECT_NE(read("k_parameters.yaml").find("yaml_filename: \"k.yaml\""), std::string::npos);
+  ASSERT_EQ(run("convert " + map_ + " " + file("k.geojson") + " --keepout-mask " + file("k.yaml")).code, 0);
+  EXPECT_NE(read("k.geojson")
+                .find(R"({"role":"keepout","name":"k"},"geometry":{"type":"Polygon","coordinates":)"
+                      "[[[2,2],[4,2],[4,3],[3,3],[3,2.5],[2,2.5],[2,2]]]"),
+            std::string::npos)
+      << read("k.geojson");
+  const Run speed = run("convert " + map + " " + file("s.yaml") + " --filter-mask speed");
+  ASSERT_EQ(speed.code, 0) << speed.err;
+  const std::string how = "--mask-type absolute --mask-base 0.5 --mask-multiplier 0";
+  EXPECT_NE(speed.out.find(how), std::string::npos) << speed.out;
+  ASSERT_EQ(run("convert " + map_ + " " + file("s.geojson") + " --speed-mask " + file("s.yaml") + " " + how).code, 0);
+  EXPECT_NE(read("s.geojson").find(R"("max_speed":0.5})"), std::string::npos) << read("s.geojson");
+  const Run none = run("convert " + map_ + " " + file("n.yaml") + " --filter-mask speed");
+  EXPECT_NE(none.out.find("the map has no zone of the role speed_limit"), std::string::npos) << none.out;
+  expect_bad_input("convert " + map + " " + file("x.yaml"), "--filter-mask: expected keepout or speed for OUT.yaml");
+  expect_bad_input("convert " + map + " " + file("x.yaml") + " --filter-mask slow", "expected keepout or speed");
+  expect_bad_input("convert " + map + " " + file("x.wkt") + " --filter-mask speed",
+                   "OUT is a mask if its name ends in");
+  expect_bad_input("convert " + map + " " + file("x.yaml") + " --filter-mask speed --mask-resolution 1e-6",
+                   "give a resolution of at least");
+  expect_bad_input("convert " + map + " " + file("x.yaml") + " --filter-mask speed --mask-resolution 0",
+                   "resolution is 0 m, must be above 0");
+}
+
 TEST_F(Tool, ReadsMasksOfFiltersAsZones) {
   put("mask.pgm", "P2\n3 1\n255\n255 0 102\n");
   const std::string mask = put("mask.yaml",

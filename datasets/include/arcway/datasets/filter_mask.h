@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "arcway/datasets/map_file.h"
 #include "arcway/export.h"
 #include "arcway/zone.h"
 
@@ -49,5 +50,38 @@ struct FilterMask {
 /// @throws FileError if a file cannot be read, FormatError naming file, line and value.
 /// @throws std::invalid_argument if a number of the options is out of its range.
 ARCWAY_API FilterMask read_filter_mask(const std::filesystem::path& yaml, const FilterMaskOptions& options);
+
+struct FilterMaskWriteOptions {
+  FilterMaskType type = FilterMaskType::kKeepOut;  ///< kKeepOut, or kSpeed
+  double resolution = 0.05;                        ///< side of a cell [m], > 0
+  /// Name of the robot: keep-outs for others are left out. Empty: all keep-outs are written.
+  std::string vehicle = {};
+  std::size_t max_cells = 100'000'000;  ///< larger masks are refused
+};
+
+/// Texts of the files of a mask.
+struct FilterMaskFiles {
+  std::string mask;         ///< NAME.yaml, for Nav2's map_server
+  std::string image;        ///< NAME.pgm, binary
+  std::string parameters;   ///< of Nav2's filter_mask_server and costmap_filter_info_server, YAML
+  std::size_t zones;        ///< that were written
+  double base, multiplier;  ///< a value v limits the speed to base + multiplier * v [m/s]
+};
+
+/// Writes the keep-outs of a map, or its speed limits, as a mask of Nav2's costmap filters that covers the map. Corners
+/// of cells lie at multiples of the resolution. Zones grow to whole cells, and never shrink: a cell that a zone reaches
+/// into by more than a billionth of its side is the zone's.
+///
+/// - Keep-outs have the value 100. No cell has another one but 0.
+/// - Speed limits have values from 1 to 100, by base + multiplier * value. The lowest limit has the value 1, the
+/// highest
+///   one 100. Those between are rounded down to a step. A cell has the lowest limit of the zones that reach into it.
+///
+/// Other zones are left out. read_filter_mask gives back zones of whole cells.
+/// @param name  of the files, without ending.
+/// @throws std::invalid_argument if the mask has too many cells, naming the least resolution that fits, or the
+///   resolution or the type is none of these.
+ARCWAY_API FilterMaskFiles to_filter_mask(const MapFile& map, const std::string& name,
+                                          const FilterMaskWriteOptions& options);
 
 }  // namespace arcway
