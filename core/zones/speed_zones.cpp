@@ -185,7 +185,9 @@ void SpeedZones::cut(const PathSegment& segment, std::vector<Stretch>& stretches
     // Parts within the margin have the limit of a neighbor.
     if (to - from <= margin_ && to < segment.length) continue;
     const double cap = cap_at(track.at(0.5 * (from + to)));
-    if (stretches.empty() || stretches.back().cap != cap) {
+    // A segment that was cut before ends behind the border by the margin, but for rounding.
+    const bool is_within_margin = to - from <= 2.0 * margin_ && !stretches.empty() && stretches.back().cap < cap;
+    if (stretches.empty() || (stretches.back().cap != cap && !is_within_margin)) {
       // The lower one of two limits begins sooner, or ends later.
       const double shift = stretches.empty()            ? 0.0
                            : cap < stretches.back().cap ? -std::min(margin_, 0.5 * stretches.back().length)

@@ -16,7 +16,8 @@ namespace arcway::internal {
 ///
 /// A segment is cut where F crosses the edge of a zone. Its stretches between two crossings are decided by their
 /// middles, never by counting crossings. A point on the border is in the zone. Limits hold kCapMargin of the map's size
-/// longer than the zone lasts, so that a checker that rounds otherwise finds no excess.
+/// longer than the zone lasts, so that a checker that rounds otherwise finds no excess. A segment that ends within
+/// twice that has the limit to its end: parts of a segment that are cut again get no other limits.
 class SpeedZones {
  public:
   /// Null if no zone of the world limits the speed.

@@ -241,6 +241,16 @@ TEST(SpeedLimit, ToursObeyIt) {
   expect_obeyed(tour.plan);
 }
 
+// A tour times segments again that a plan has cut at the zone's border.
+TEST(SpeedLimit, ToursHaveSpeedsThatTheirTrajectoriesTake) {
+  const World world =
+      World({box(20, 0, 22, 10)}, box(0, 0, 60, 20).outer).with_zones({{box(33, 0, 39, 20), SpeedLimit{0.7}}});
+  const Tour tour =
+      plan_tour(Planner(world, Vehicle{}), {.start = {5, 5, 0}, .goals = {{.position = {50, 5}, .heading = 0.0}}});
+  ASSERT_TRUE(tour.plan.solved());
+  EXPECT_NEAR(tour.plan.trajectory().duration(), tour.plan.travel_time, 1e-9);
+}
+
 TEST(SpeedLimit, AMovingEndAboveTheLimitOfItsZoneIsSaid) {
   const World world = open_world().with_zones({{box(-10, -5, 5, 5), SpeedLimit{2.0}, "yard"}});
   const Planner planner(world, slow_vehicle());

@@ -53,6 +53,22 @@ PathSegment random_segment(test::RandomInputs& random) {
           random.integer(0, 1) == 0 ? Gear::kForward : Gear::kReverse};
 }
 
+// A path that was cut at the border ends there within the margin by which the limit lasts longer.
+TEST(SpeedZones, HoldToTheEndOfASegmentThatEndsRightBehindThem) {
+  const SpeedZones zones(std::vector<Zone>{{box(33, -5, 39, 5), SpeedLimit{0.7}}});
+  std::vector<SpeedZones::Stretch> stretches;
+  for (const double behind : {-1e-9, 0.0, 1e-9, 3.9e-8, 3.9e-8 + 1e-14}) {
+    const double length = 4.0 + behind;
+    zones.cut({{35.0, 0.0, 0.0}, length, 0.0}, stretches);
+    ASSERT_EQ(stretches.size(), 1u) << behind;
+    EXPECT_EQ(stretches[0].cap, 0.7);
+    EXPECT_NEAR(stretches[0].length, length, 1e-15);
+  }
+  zones.cut({{35.0, 0.0, 0.0}, 4.0 + 1e-6, 0.0}, stretches);
+  ASSERT_EQ(stretches.size(), 2u);
+  EXPECT_EQ(stretches[1].cap, INFINITY);
+}
+
 TEST(SpeedZones, CutsWhereSamplesOfEachMillimeterSay) {
   test::RandomInputs random(5);
   std::size_t cuts = 0;
