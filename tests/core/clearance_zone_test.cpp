@@ -17,7 +17,7 @@
 #include "tests/support/random_inputs.h"
 #include "tests/support/sampled_cost.h"
 
-namespace arcway::internal {
+namespace arcway::internal::clearance_zone_test {
 namespace {
 
 using test::box;
@@ -222,4 +222,4 @@ TEST(ClearanceZone, CountsInToursAndReplans) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::clearance_zone_test

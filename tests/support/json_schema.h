@@ -29,6 +29,8 @@ inline std::string broken_rule(const nlohmann::json& schema, const nlohmann::jso
       if (std::find(rule.begin(), rule.end(), value) == rule.end()) return fail();
     } else if (key == "minimum") {
       if (value.is_number() && value < rule) return fail();
+    } else if (key == "exclusiveMinimum") {
+      if (value.is_number() && value <= rule) return fail();
     } else if (key == "maximum") {
       if (value.is_number() && value > rule) return fail();
     } else if (key == "minItems") {

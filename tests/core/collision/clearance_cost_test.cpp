@@ -12,7 +12,7 @@
 #include "tests/support/random_bodies.h"
 #include "tests/support/sampled_cost.h"
 
-namespace arcway::internal {
+namespace arcway::internal::clearance_cost_test {
 namespace {
 
 using test::box;
@@ -140,4 +140,4 @@ TEST(ClearanceCost, OfHeadingsOnACircleIsThatOfItsArcs) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::clearance_cost_test

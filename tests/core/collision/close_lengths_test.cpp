@@ -10,7 +10,7 @@
 #include "tests/support/random_bodies.h"
 #include "tests/support/sampled_cost.h"
 
-namespace arcway::internal {
+namespace arcway::internal::close_lengths_test {
 namespace {
 
 PathSegment random_segment(test::RandomInputs& random, double side) {
@@ -79,4 +79,4 @@ TEST(CloseLengths, BesideASquareAreThoseOfTheGrownBody) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::close_lengths_test

@@ -7,7 +7,7 @@
 #include "core/model/outlines.h"
 #include "tests/support/boxes.h"
 
-namespace arcway::internal {
+namespace arcway::internal::path_cost_test {
 namespace {
 
 TEST(PathCost, IsTimeGearChangesAndCloseDriving) {
@@ -49,4 +49,4 @@ TEST(PathCost, IsInfiniteBetweenSpeedsOutOfReach) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::path_cost_test
