@@ -11,10 +11,7 @@ double CloseTurns::cost_of(std::uint32_t circle, double heading, double turn) co
   const TurnCircle& c = graph_->circles()[circle];
   const auto& close = close_.get(
       circle, [&] { return std::make_unique<const Close>(cost_->close_headings(c.center, c.radius, c.side)); });
-  double sum = 0.0;
-  for (const ClearanceCost::CloseHeadings& of_rule : close)
-    sum += of_rule.cost * c.radius * angle_within(of_rule.headings, heading, c.side, turn);
-  return sum;
+  return turn_cost(close, {c.radius, c.side, heading, turn});
 }
 
 }  // namespace arcway::internal

@@ -51,6 +51,10 @@ void SearchAttachments::forget() {
   direct_paths_.clear();
 }
 
+void SearchAttachments::forget_times() {
+  for (GoalLink& goal : goal_links_) goal.best_time = kInfinity;
+}
+
 void SearchAttachments::warm_up(std::size_t circles) {
   forget();
   first_goal_link_.reset(circles);

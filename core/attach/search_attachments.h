@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ class SearchAttachments {
     double best_time;    ///< of complete paths by this link [s]; kept for the search
     std::uint32_t next;  ///< on the same circle, or kNone
     bool checked, free;
+    std::optional<double> close_cost = {};  ///< of driving close from its line on [s]; nothing: not known yet
   };
   /// A Dubins word from a start attachment to a goal attachment.
   struct DirectPath {
@@ -59,6 +61,8 @@ class SearchAttachments {
   [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
   /// The first goal link that leaves a circle of the roadmap, or kNone; GoalLink::next gives the others.
   [[nodiscard]] std::uint32_t first_goal_link(std::uint32_t circle) const { return first_goal_link_.get(circle); }
+  /// Forgets the times of paths by goal links.
+  void forget_times();
   /// Prefetches the goal links of a circle of the roadmap.
   void prefetch(std::uint32_t circle) const { first_goal_link_.prefetch(circle); }
   /// Whether the link is free: its swept rectangle, and the body on the roadmap's circle where it begins. Checked once.

@@ -116,4 +116,11 @@ std::vector<ClearanceCost::CloseHeadings> ClearanceCost::close_headings(const Ve
   return result;
 }
 
+double turn_cost(std::span<const ClearanceCost::CloseHeadings> close, const Turn& turn) {
+  double sum = 0.0;
+  for (const ClearanceCost::CloseHeadings& of_rule : close)
+    sum += of_rule.cost * turn.radius * angle_within(of_rule.headings, turn.heading, turn.side, turn.angle);
+  return sum;
+}
+
 }  // namespace arcway::internal

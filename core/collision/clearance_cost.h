@@ -72,6 +72,16 @@ class ClearanceCost {
   std::vector<Rule> rules_;
 };
 
+/// A turn from a heading to a side.
+struct Turn {
+  double radius;  ///< of F's circle [m]
+  Side side;
+  double heading;  ///< at its begin [rad]
+  double angle;    ///< [rad], >= 0
+};
+/// What a turn on a circle costs, of which it is known where turns cost something [s].
+double turn_cost(std::span<const ClearanceCost::CloseHeadings> close, const Turn& turn);
+
 /// The cost of driving close on a path [s]; 0 without a preference.
 /// @param cost  may be null.
 inline double clearance_cost(const ClearanceCost* cost, std::span<const PathSegment> path) {

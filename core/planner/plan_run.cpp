@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/infinity.h"
+#include "core/collision/close_ends.h"
 #include "core/collision/path_cost.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/strategy.h"
@@ -35,6 +36,9 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
   search_options_.prefetch = query.limits.prefetch;
   workspace_.unrefined_costs.clear();
   workspace_.ways.clear();
+  if (map_.clearance_cost)
+    close_ends_ = close_ends_cost(*map_.clearance_cost, map_.vehicle, *map_.outlines, query.request.start,
+                                  query.request.goal, distance_);
 }
 
 void PlanRun::follow(std::span<const StrategyRow> rows) {
@@ -84,10 +88,10 @@ bool PlanRun::holds(const When& when) {
 }
 
 bool PlanRun::has_gap(double cost, double gap, bool counts_zones) {
-  if (!(cost > (1.0 + gap) * result_.lower_bound)) return false;
+  if (!(cost > (1.0 + gap) * least_cost())) return false;
   if (counts_zones || !map_.speed_zones || !is_thorough() || !found_) return true;
   const WithoutZones& without = without_zones();
-  return cost - without.saves > (1.0 + gap) * without.lower_bound;
+  return cost - without.saves > (1.0 + gap) * (without.lower_bound + close_ends_);
 }
 
 bool PlanRun::is_tight(const Pose& pose, Direction direction, double angle) const {
@@ -141,7 +145,7 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .outlines = map_.outlines.get(),
                           .at_length = mode == RefineMode::kAtLength,
                           .ends = query_.ends(),
-                          .lower_bound = result_.lower_bound,
+                          .lower_bound = least_cost(),
                           .speed_zones = map_.speed_zones.get(),
                           .clearance_cost = map_.clearance_cost.get(),
                           .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};

@@ -96,6 +96,8 @@ class PlanRun {
   [[nodiscard]] bool refines() const { return query_.options.refinement.max_trials > 0; }
   // What is not refined joins by all radii: it is the fastest path of the graph.
   [[nodiscard]] std::size_t end_radii(std::size_t refined) const { return refines() ? refined : kEveryRadius; }
+  // A lower bound of the cost of all paths, beside gear changes.
+  [[nodiscard]] double least_cost() const { return result_.lower_bound + close_ends_; }
   // Whether a cost exceeds the lower bound by more than a share, with and, unless zones count, also without zones.
   [[nodiscard]] bool has_gap(double cost, double gap, bool counts_zones);
   [[nodiscard]] bool is_tight(const Pose& pose, Direction direction, double angle) const;
@@ -167,7 +169,8 @@ class PlanRun {
   NoPath why_;
   bool has_proof_ = false;
   bool found_ = false;
-  double distance_;  // lower bound of the length of all paths [m]
+  double distance_;          // lower bound of the length of all paths [m]
+  double close_ends_ = 0.0;  // lower bound of what driving close to obstacles costs on all paths [s]
   bool is_bound_raised_ = false;
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
   Unrefined best_unrefined_, second_unrefined_;

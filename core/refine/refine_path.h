@@ -45,7 +45,7 @@ struct RefineQuery {
   const Outlines* outlines = nullptr;
   bool at_length = false;    ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
   EndSpeeds ends = {};       ///< of the path, which stay as they are
-  double lower_bound = 0.0;  ///< on the time of all paths between the poses, as far as it is known [s]
+  double lower_bound = 0.0;  ///< on the cost of all paths between the poses, as far as it is known [s]
   const SpeedZones* speed_zones = nullptr;        ///< of the world; null: none
   const ClearanceCost* clearance_cost = nullptr;  ///< of driving close to obstacles; null: time alone counts
   /// As `sweep`, where motions that are described as driven forwards are driven backwards; null: gears do not differ.

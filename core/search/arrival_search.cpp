@@ -23,6 +23,7 @@
 #include "core/base/prefetch.h"
 #include "core/geometry/quick_direction.h"
 #include "core/motion/speed_profile.h"
+#include "core/search/goal_cost.h"
 #include "core/search/reachability.h"
 #include "core/search/search_times.h"
 
@@ -146,6 +147,7 @@ struct ArrivalSearch::Memory {
   std::weak_ptr<const CircleTable> map;  // empty if no search can continue the one before
   std::optional<Question> question;
   double faster_than = 0.0;
+  double goal_cost = 0.0;  // see Run
   std::uint32_t pushed_start_circles = 0;
   std::vector<std::uint32_t> start_joints;  // by start circle: at the end of its attachment's connection
   OpenList<Entry> open;
@@ -197,6 +199,7 @@ class ArrivalSearch::Run {
       result_.goal_connected = attachments_.is_free(attachments_.goal_link(g));
     if (result_.interrupted) return finish_best();
     if (!result_.goal_connected) return;
+    find_goal_cost();
     // Many attachments mean that fewer found no path, so that there may be none.
     if (context_.starts.size() + context_.goals.size() > 2 && !reachability_known_ && !goal_is_reachable()) return;
     push_start_circles();
@@ -230,6 +233,11 @@ class ArrivalSearch::Run {
   void forget() {
     w_.map = context_.map.circles;
     w_.question = question_of(context_);
+    forget_paths();
+    attachments_.forget();
+  }
+
+  void forget_paths() {
     w_.pushed_start_circles = 0;
     w_.start_joints.clear();
     w_.open.clear();
@@ -243,7 +251,20 @@ class ArrivalSearch::Run {
     w_.labels.reserve(enough);
     w_.times.reserve(enough);
     w_.first_label.reset(graph_.circles().size());
-    attachments_.forget();
+  }
+
+  // Estimates of the search before may be too high with the links of further goals. Then the search begins anew.
+  void find_goal_cost() {
+    if (context_.options.heuristic != Heuristic::kTravelTime) return;
+    goal_cost_ = least_goal_cost(context_, attachments_);
+    const double before = std::exchange(w_.goal_cost, goal_cost_);
+    if (w_.pushed_start_circles == 0 || goal_cost_ >= before) return;
+    forget_paths();
+    attachments_.forget_times();
+    w_.times.begin(context_, false);
+    known_labels_ = 0;
+    for (std::uint32_t i = 0; i < attachments_.direct_paths().size(); ++i)
+      push(Kind::kDirect, i, attachments_.direct_paths()[i].time);
   }
 
   // Starts the prefetch search: a slightly greedier search in a thread of its own, which fills the caches of the graph.
@@ -281,8 +302,10 @@ class ArrivalSearch::Run {
     return found->by_starts;
   }
 
-  // The estimated remaining time [s].
-  [[nodiscard]] double remaining(const Vec2& p, double speed) const { return weight_ * heuristic(p, speed); }
+  // The estimated remaining time, and cost of driving close [s].
+  [[nodiscard]] double remaining(const Vec2& p, double speed) const {
+    return weight_ * (heuristic(p, speed) + goal_cost_);
+  }
 
   [[nodiscard]] double heuristic(const Vec2& p, double speed) const {
     const double distance = (context_.goal - p).norm();
@@ -432,6 +455,7 @@ class ArrivalSearch::Run {
     const auto range = attachments_.links_from(s);
     // In open country they may be ten thousand, and headings of a lazy graph take some ten microseconds each.
     StopTicker ticker(context_.options.clock);
+    const auto close = w_.times.close_headings(from.circle);
     for (std::uint32_t i = range.first; i < range.last && !ticker.is_over(); ++i) {
       const AttachmentLink& link = attachments_.start_link(i);
       if (link.circle == context_.options.not_first) continue;
@@ -439,11 +463,14 @@ class ArrivalSearch::Run {
       const double radius = circles_.circle(link.circle).radius;
       const Vec2 end = link.line.start.position() + link.line.length * quick_direction_of(link.line.start.heading);
       const double from_radius = from.circle.radius;
-      push(Kind::kStart, i, estimate({joint, link.turn * from_radius, from_radius, link.line.length, radius}, end));
+      push(Kind::kStart, i,
+           estimate({joint, link.turn * from_radius, from_radius, link.line.length, radius}, end) +
+               turn_cost(close, {from_radius, from.circle.side, from.heading, link.turn}));
     }
   }
 
-  // The estimated time of the whole path that continues a joint by a drive to a place [s].
+  // The estimated time of the whole path that continues a joint by a drive to a place, without what driving close costs
+  // on the drive [s].
   [[nodiscard]] double estimate(const SearchTimes::Drive& drive, const Vec2& end) const {
     const SpeedTree::Joint arrival = w_.times.drive(drive);
     return arrival.time + remaining(end, arrival.speed);
@@ -532,7 +559,8 @@ class ArrivalSearch::Run {
                  const double radius = one_radius ? label.radius : circles_.circle(link.to).radius;
                  push(Kind::kGraph, {index, link.to, at, turn, link.heading, link.length},
                       estimate({label.joint, turn * label.radius, label.radius, link.length, radius},
-                               from + link.length * ahead));
+                               from + link.length * ahead) +
+                          w_.times.turn_cost(label.circle, label.heading, turn));
                  return true;
                });
   }
@@ -548,7 +576,7 @@ class ArrivalSearch::Run {
     const double time =
         w_.times.depends_on_places()
             ? w_.times.time_to_goal(label.joint, label.circle,
-                                    arc_on(graph_.circles()[label.circle], label.heading, turn), goal.link, to)
+                                    arc_on(graph_.circles()[label.circle], label.heading, turn), goal, to)
             : w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link, to);
     if (time >= goal.best_time) return;
     goal.best_time = time;
@@ -614,6 +642,7 @@ class ArrivalSearch::Run {
   double top_speed_;  // in either gear, as connections may have both
   double weight_;     // of the heuristic
   SpeedZones::Disc slow_goal_{kInfinity, 0.0};
+  double goal_cost_ = 0.0;  // of driving close at the goal, at least [s]
   bool reachability_known_ = false;
   std::size_t known_labels_ = 0;  // of the search before
   SearchResult& result_;

@@ -45,7 +45,7 @@ std::uint32_t SearchTimes::add_connection(const AttachmentCircle& from) {
   std::uint32_t joint = 0;
   const Stretch circle{0.0, context_->vehicle.turn_speed(from.circle.radius), Gear::kForward};
   if (depends_on_places()) {
-    joint = add_path(joint, connection, circle.limit);
+    joint = add_path(joint, connection, circle.limit, CloseCost::kCounts);
     const bool stops = !connection.empty() && connection.back().gear != circle.gear;
     return stops ? add_stop(joint) : joint;
   }
@@ -83,15 +83,18 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
 }
 
 double SearchTimes::time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
-                                 const AttachmentLink& link, const AttachmentCircle& to) {
+                                 SearchAttachments::GoalLink& goal, const AttachmentCircle& to) {
   const std::size_t size = speeds_.size();
+  const AttachmentLink& link = goal.link;
   joint = add_turn(joint, circle, arc, context_->vehicle.max_speed());
   last_.assign({{link.line.start, link.line.length, 0.0}});
   const double radius = to.circle.radius;
   last_.push_back({pose_on(to.circle, link.line.start.heading), link.turn * radius, sign_of(to.circle.side) / radius});
   const Path& connection = context_->goals[to.attachment].connection;
   last_.insert(last_.end(), connection.begin(), connection.end());
-  return cost_at_goal(add_path(joint, last_, context_->options.ends.goal), size);
+  if (!goal.close_cost) goal.close_cost = arcway::internal::clearance_cost(clearance_, last_);
+  return cost_at_goal(add_path(joint, last_, context_->options.ends.goal, CloseCost::kIsKnown), size) +
+         *goal.close_cost;
 }
 
 // The time and cost at the last joint, if it is fast enough. Forgets the joints from `size` on.
@@ -113,9 +116,17 @@ std::uint32_t SearchTimes::add_segment(std::uint32_t joint, const PathSegment& s
 
 std::uint32_t SearchTimes::add_turn(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
                                     double next_limit) {
+  return add_parts(joint, arc, next_limit, turn_cost(circle, arc.start.heading, arc.length * std::abs(arc.curvature)));
+}
+
+double SearchTimes::turn_cost(std::uint32_t circle, double heading, double turn) const {
   const CloseTurns* turns = context_->map.close_turns.get();
-  const double turn = arc.length * std::abs(arc.curvature);
-  return add_parts(joint, arc, next_limit, turns == nullptr ? 0.0 : turns->cost_of(circle, arc.start.heading, turn));
+  return turns == nullptr ? 0.0 : turns->cost_of(circle, heading, turn);
+}
+
+std::vector<ClearanceCost::CloseHeadings> SearchTimes::close_headings(const TurnCircle& circle) const {
+  if (clearance_ == nullptr) return {};
+  return clearance_->close_headings(circle.center, circle.radius, circle.side);
 }
 
 // The parts of a segment between borders of zones, and its clearance cost behind the last one.
@@ -137,13 +148,12 @@ std::uint32_t SearchTimes::add_parts(std::uint32_t joint, const PathSegment& seg
 }
 
 // Segments one after the other, with stops where the gear changes.
-std::uint32_t SearchTimes::add_path(std::uint32_t joint, std::span<const PathSegment> path, double next_limit) {
+std::uint32_t SearchTimes::add_path(std::uint32_t joint, std::span<const PathSegment> path, double next_limit,
+                                    CloseCost cost) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool is_last = i + 1 == path.size(), stops = !is_last && path[i + 1].gear != path[i].gear;
-    joint = add_segment(joint, path[i],
-                        stops     ? 0.0
-                        : is_last ? next_limit
-                                  : speed_limit(path[i + 1], context_->vehicle));
+    const double limit = stops ? 0.0 : is_last ? next_limit : speed_limit(path[i + 1], context_->vehicle);
+    joint = cost == CloseCost::kCounts ? add_segment(joint, path[i], limit) : add_parts(joint, path[i], limit, 0.0);
     if (stops) joint = add_stop(joint);
   }
   return joint;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/attach/search_attachments.h"
 #include "core/attach/search_context.h"
 #include "core/collision/clearance_cost.h"
 #include "core/motion/speed_tree.h"
@@ -50,6 +51,10 @@ class SearchTimes {
   std::uint32_t add_segment(std::uint32_t joint, const PathSegment& segment, double next_limit);
   /// Adds a turn on a circle of the graph likewise.
   std::uint32_t add_turn(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc, double next_limit);
+  /// What driving close costs in a turn on a circle of the graph [s].
+  [[nodiscard]] double turn_cost(std::uint32_t circle, double heading, double turn) const;
+  /// Where turns on a circle of a start cost something.
+  [[nodiscard]] std::vector<ClearanceCost::CloseHeadings> close_headings(const TurnCircle& circle) const;
   /// Adds a drive; returns the joint at its end.
   std::uint32_t add_drive(const Drive& drive);
   /// The joint of add_drive, without adding it. Its time includes what driving close has cost up to the drive, but not
@@ -62,8 +67,9 @@ class SearchTimes {
   /// The exact cost of a complete path that depends on places: its time with the limits of zones, and that of driving
   /// close [s]. Infinity as above.
   /// @param arc  on the last circle of the graph, `circle`.
-  double time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc, const AttachmentLink& link,
-                      const AttachmentCircle& to);
+  /// @param goal  whose cost of driving close is found once.
+  double time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
+                      SearchAttachments::GoalLink& goal, const AttachmentCircle& to);
 
  private:
   // A segment as far as speeds depend on it.
@@ -75,7 +81,9 @@ class SearchTimes {
   [[nodiscard]] Stretch stretch_of(const PathSegment& segment) const;
   std::uint32_t add_parts(std::uint32_t joint, const PathSegment& segment, double next_limit, double clearance_cost);
   std::uint32_t add_stretch(std::uint32_t joint, const Stretch& stretch, const Stretch& next);
-  std::uint32_t add_path(std::uint32_t joint, std::span<const PathSegment> path, double next_limit);
+  // Whether what driving close costs on a path is added.
+  enum class CloseCost { kCounts, kIsKnown };
+  std::uint32_t add_path(std::uint32_t joint, std::span<const PathSegment> path, double next_limit, CloseCost cost);
   std::uint32_t add_stop(std::uint32_t joint);
   double cost_at_goal(std::uint32_t joint, std::size_t size);
 

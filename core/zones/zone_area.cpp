@@ -23,6 +23,8 @@ Box box_of(const Ring& ring) {
 ZoneArea::ZoneArea(const Polygon& area)
     : box_(box_of(area.outer)), zone_(std::array{Zone{area, SpeedLimit{kAnyLimit}}}) {}
 
+double ZoneArea::depth_of(const Vec2& point) const { return zone_.disc_around(point).radius; }
+
 void ZoneArea::find_stays(const PathSegment& segment, std::vector<Stay>& stays) const {
   stays.clear();
   const Vec2 start = segment.start.position();

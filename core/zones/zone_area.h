@@ -16,6 +16,9 @@ class ZoneArea {
   /// The box of its vertices [m].
   [[nodiscard]] const Box& box() const { return box_; }
 
+  /// The distance of a point from the border if it is in the area, else 0 [m].
+  [[nodiscard]] double depth_of(const Vec2& point) const;
+
   /// A part of a segment, by lengths from its start [m].
   struct Stay {
     double from, to;

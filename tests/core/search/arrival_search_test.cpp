@@ -13,6 +13,7 @@
 #include "arcway/graph_mode.h"
 #include "core/attach/clear_circles.h"
 #include "core/attach/maneuvers.h"
+#include "core/base/infinity.h"
 #include "core/collision/clearance_cost.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
@@ -244,7 +245,8 @@ TEST(ArrivalSearch, FindsTheFastestOfAllPathsThroughZones) {
   EXPECT_GT(slowed, 15);
 }
 
-// On the circles of the vehicle, and on those that keep the distance as well; with zones for some.
+// On the circles of the vehicle, and on those that keep the distance as well; with zones for some. Costs are small, so
+// that times matter, or so large that goals close to obstacles raise all estimates.
 TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
   ArrivalSearch search;
   int solved = 0, close = 0, slower = 0;
@@ -257,8 +259,11 @@ TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
     const Vehicle vehicle(parameters_of(seed));
     const Roadmap plain = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
     const ClearancePreference preference{.distance = random.uniform(0.2, 1.0),
-                                         .cost = std::exp(random.uniform(-4.0, 1.0))};
-    Roadmap map = plain.with_cost(std::make_shared<const ClearanceCost>(vehicle, plain.outlines, preference));
+                                         .cost = std::exp(random.uniform(-4.0, seed % 3 == 0 ? 4.0 : 1.0))};
+    const Vec2 middle = 0.5 * (world.box().min + world.box().max);
+    const Zone zone{Polygon::regular(middle, 6.0, 5), KeepClear{0.8, 3.0}};
+    Roadmap map = plain.with_cost(
+        ClearanceCost::of(vehicle, plain.outlines, preference, std::span(&zone, seed % 5 == 0 ? 1 : 0)));
     if (seed % 2 == 0) map = with_clear_circles(map);
     for (int i = 0; i < 30; ++i) {
       const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
@@ -280,6 +285,43 @@ TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
   EXPECT_GT(solved, 60);
   EXPECT_GT(close, 50);
   EXPECT_GT(slower, 15);
+}
+
+// The links of further goals may cost less than estimates of the search before count on.
+TEST(ArrivalSearch, GoesOnWithFurtherAttachmentsWhereCloseDrivingCosts) {
+  test::RandomInputs random(12);
+  ArrivalSearch before, anew;
+  int solved = 0, improved = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const World world = world_of_few(6, 0.3, seed);
+    const Vehicle vehicle;
+    const Roadmap plain = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    const Roadmap map = plain.with_cost(std::make_shared<const ClearanceCost>(
+        vehicle, plain.outlines, ClearancePreference{.distance = 0.8, .cost = 20.0}));
+    for (int i = 0; i < 20; ++i) {
+      const Pose start = random_pose(random, world), goal = random_pose(random, world);
+      ManeuverSearch at_start, at_goal;
+      const ManeuveringBody body(vehicle, map.radii[0], *map.queries.sweep);
+      const auto starts = at_start.find(start, Direction::kFromStart, body, {12, Spread::kDense});
+      const auto goals = at_goal.find(goal, Direction::kToGoal, body, {12, Spread::kDense});
+      if (starts.size() * goals.size() <= 64) continue;  // else Dubins words as well, of other pairs
+      const auto cost_of = [&](const SearchResult& result) {
+        return result.path ? speed_profile(*result.path, vehicle).total_time + map.clearance_cost->of(*result.path)
+                           : kInfinity;
+      };
+      const double first = cost_of(before.find(map, std::span(starts).first(1), std::span(goals).first(1), {}));
+      const double whole = cost_of(anew.find(map, starts, goals, {}));
+      SearchOptions options;
+      options.warm_start = true;
+      const double more = std::min(first, cost_of(before.find(map, starts, goals, options)));
+      if (whole == kInfinity) continue;
+      ++solved;
+      EXPECT_NEAR(more, whole, 1e-9 * whole) << "seed " << seed << ", query " << i;
+      improved += more < 0.9 * first ? 1 : 0;
+    }
+  }
+  EXPECT_GT(solved, 15);
+  EXPECT_GT(improved, 5);
 }
 
 TEST(ArrivalSearch, FindsTheFastestOfAllPathsBetweenMovingEnds) {
