@@ -259,7 +259,7 @@ TEST(ArrivalSearch, FindsTheCheapestOfAllPathsThatMayDriveCloseToObstacles) {
     const Vehicle vehicle(parameters_of(seed));
     const Roadmap plain = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
     const ClearancePreference preference{.distance = random.uniform(0.2, 1.0),
-                                         .cost = std::exp(random.uniform(-4.0, seed % 3 == 0 ? 4.0 : 1.0))};
+                                         .cost = std::exp(random.uniform(-4.0, 1.0) + (seed % 3 == 0 ? 5.0 : 0.0))};
     const Vec2 middle = 0.5 * (world.box().min + world.box().max);
     const Zone zone{Polygon::regular(middle, 6.0, 5), KeepClear{0.8, 3.0}};
     Roadmap map = plain.with_cost(
@@ -297,7 +297,7 @@ TEST(ArrivalSearch, GoesOnWithFurtherAttachmentsWhereCloseDrivingCosts) {
     const Vehicle vehicle;
     const Roadmap plain = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
     const Roadmap map = plain.with_cost(std::make_shared<const ClearanceCost>(
-        vehicle, plain.outlines, ClearancePreference{.distance = 0.8, .cost = 20.0}));
+        vehicle, plain.outlines, ClearancePreference{.distance = 1.0, .cost = 100.0}));
     for (int i = 0; i < 20; ++i) {
       const Pose start = random_pose(random, world), goal = random_pose(random, world);
       ManeuverSearch at_start, at_goal;
