@@ -32,7 +32,8 @@ std::map<double, std::vector<const ClearanceCost::Rule*>> rules_by_distance(cons
 
 Roadmap with_clear_circles(const Roadmap& map) {
   AddedCircles added;
-  for (const auto& [distance, rules] : rules_by_distance(*map.clearance_cost)) {
+  for (const auto& of_distance : rules_by_distance(*map.clearance_cost)) {
+    const std::vector<const ClearanceCost::Rule*>& rules = of_distance.second;
     // Half of the safety margin beyond the distance, as base circles keep it beyond what is checked.
     const Footprint body = rules.front()->close.body().grown(0.5 * map.vehicle.safety_margin());
     const auto is_wanted = [&rules](const TurnCircle& circle) {
