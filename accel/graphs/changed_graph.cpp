@@ -11,6 +11,7 @@
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/tangent_cone_expansion.h"
 #include "core/geometry/near_boxes.h"
+#include "core/model/vertex_map.h"
 
 namespace arcway::internal {
 
@@ -23,13 +24,14 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
                                      const FreeSpaceTriangulation& triangulation) {
   std::vector<std::uint8_t> stale(after.vertices().size(), 0);
   std::fill(stale.begin() + change.first_added, stale.begin() + change.end_added, std::uint8_t{1});
+  const VertexMap map(change);
   const NearBoxes added(change.added_boxes);
   if (!added.empty()) {
     for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-      const VertexId from = change.vertex_after[u];
+      const VertexId from = map.after(u);
       if (from == kNone) continue;
       for (const VertexId v : graph.row(u)) {
-        const VertexId to = change.vertex_after[v];
+        const VertexId to = map.after(v);
         if (to == kNone || (stale[from] && stale[to]) || !added.may_meet(after.vertex(from), after.vertex(to)))
           continue;
         stale[from] = stale[to] = 1;
@@ -50,19 +52,20 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
 VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, const World& after,
                                                 const WorldChange& change, const Executor& executor,
                                                 std::size_t* rows) {
-  if (graph.vertex_count() != change.vertex_after.size() || change.end_added > after.vertices().size())
+  if (graph.vertex_count() != change.vertices_before || change.end_added > after.vertices().size())
     throw std::invalid_argument("change of a reduced visibility graph: it has " + std::to_string(graph.vertex_count()) +
-                                " vertices, the change is one from " + std::to_string(change.vertex_after.size()) +
-                                " to " + std::to_string(after.vertices().size()));
+                                " vertices, the change is one from " + std::to_string(change.vertices_before) + " to " +
+                                std::to_string(after.vertices().size()));
   FreeSpaceTriangulation triangulation(after, executor);
   triangulation.list_left_edges();
   const std::vector<std::uint8_t> stale = find_stale(graph, after, change, triangulation);
+  const VertexMap map(change);
   std::vector<EdgeList> lists(1);
   for (VertexId u = 0; u < graph.vertex_count(); ++u) {
-    const VertexId from = change.vertex_after[u];
+    const VertexId from = map.after(u);
     if (from == kNone || stale[from]) continue;
     for (const VertexId v : graph.row(u)) {
-      const VertexId to = change.vertex_after[v];
+      const VertexId to = map.after(v);
       if (to != kNone && !stale[to]) lists[0].emplace_back(from, to);
     }
   }

@@ -54,4 +54,14 @@ VertexMap VertexMap::then(const VertexMap& next) const {
   return {std::move(removed), {next.first_added_ - still_added, next.end_added_}};
 }
 
+VertexId VertexMap::common_with(const VertexMap& other) const {
+  const auto [mine, others] =
+      std::ranges::mismatch(removed_, other.removed_, {}, &World::VertexRange::first, &World::VertexRange::first);
+  const VertexId same = removed_up_to_[static_cast<std::size_t>(mine - removed_.begin())];
+  VertexId common = std::min(first_added_, other.first_added_);
+  if (mine != removed_.end()) common = std::min(common, mine->first - same);
+  if (others != other.removed_.end()) common = std::min(common, others->first - same);
+  return common;
+}
+
 }  // namespace arcway::internal

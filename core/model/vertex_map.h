@@ -22,6 +22,10 @@ class VertexMap {
   /// This map, followed by that of another change. What was added and removed again leaves no trace.
   [[nodiscard]] VertexMap then(const VertexMap& next) const;
 
+  /// The number of first vertices after the changes that are, in this map and in another one from the same world, the
+  /// same ones of before.
+  [[nodiscard]] VertexId common_with(const VertexMap& other) const;
+
   /// The vertices of each removed obstacle, before the changes, ascending.
   [[nodiscard]] const std::vector<World::VertexRange>& removed() const { return removed_; }
   /// The added vertices, after the changes.

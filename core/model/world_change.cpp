@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/model/pose_text.h"
+#include "core/model/vertex_map.h"
 
 namespace arcway {
 
@@ -34,35 +35,46 @@ constexpr const char* kNextStep = "; make the world after by World::changed, whi
 
 }  // namespace
 
+WorldChange WorldChange::unchecked(const World& before, const World& after, std::span<const ObstacleId> removed) {
+  WorldChange change;
+  change.vertices_before = before.vertices().size();
+  for (const ObstacleId o : removed) {
+    change.removed_boxes.push_back(before.box_of(o));
+    change.removed_vertices.push_back(before.vertices_of(o));
+  }
+  const auto end_of = [&after](ObstacleId o) { return o == 0 ? 0 : after.vertices_of(o - 1).last; };
+  const auto obstacles = static_cast<ObstacleId>(after.obstacle_count());
+  const auto first_added = static_cast<ObstacleId>(before.obstacle_count() - removed.size());
+  for (ObstacleId o = first_added; o < obstacles; ++o) change.added_boxes.push_back(after.box_of(o));
+  change.first_added = end_of(first_added);
+  change.end_added = end_of(obstacles);
+  return change;
+}
+
 WorldChange::WorldChange(const World& before, const World& after, std::span<const ObstacleId> removed) {
   if (before.has_bounds() != after.has_bounds())
     throw std::invalid_argument(std::string("world change: only the world ") +
                                 (before.has_bounds() ? "before" : "after") + " has bounds" + kNextStep);
-  vertex_after.assign(before.vertices().size(), kNone);
-  const auto move_region = [&](ObstacleId old, ObstacleId now) {
+  const auto require_same = [&](ObstacleId old, ObstacleId now) {
     if (now >= after.region_count() || !is_same_region(before, old, after, now))
       throw std::invalid_argument("world change: before it, " + region_with_vertices(before, old) +
                                   ", which is not removed; in its place after it, " + region_with_vertices(after, now) +
                                   kNextStep);
-    const VertexId to = after.vertices_of(now).first;
-    const auto [first, last] = before.vertices_of(old);
-    for (VertexId v = first; v < last; ++v) vertex_after[v] = v - first + to;
   };
+  std::vector<ObstacleId> gone;
   ObstacleId now = 0;
   for (ObstacleId o = 0; o < before.obstacle_count(); ++o) {
     if (std::binary_search(removed.begin(), removed.end(), o)) {
-      removed_boxes.push_back(before.box_of(o));
-      removed_vertices.push_back(before.vertices_of(o));
+      gone.push_back(o);
     } else {
-      move_region(o, now++);
+      require_same(o, now++);
     }
   }
-  const auto obstacles = static_cast<ObstacleId>(after.obstacle_count());
-  first_added =
-      now < after.region_count() ? after.vertices_of(now).first : static_cast<VertexId>(after.vertices().size());
-  for (; now < obstacles; ++now) added_boxes.push_back(after.box_of(now));
-  end_added = after.has_bounds() ? after.vertices_of(obstacles).first : static_cast<VertexId>(after.vertices().size());
-  if (before.has_bounds()) move_region(static_cast<ObstacleId>(before.obstacle_count()), obstacles);
+  if (before.has_bounds())
+    require_same(static_cast<ObstacleId>(before.obstacle_count()), static_cast<ObstacleId>(after.obstacle_count()));
+  *this = unchecked(before, after, gone);
 }
+
+VertexId WorldChange::vertex_after(VertexId before) const { return VertexMap(*this).after(before); }
 
 }  // namespace arcway

@@ -206,13 +206,13 @@ void require_same_one_way(const World& before, const World& after) {
 
 void require_change(const WorldChange& change, const World& before, const World& after) {
   const std::size_t old_vertices = before.vertices().size(), vertices = after.vertices().size();
-  const auto stayed =
-      static_cast<std::size_t>(std::ranges::count_if(change.vertex_after, [](VertexId v) { return v != kNone; }));
+  std::size_t stayed = change.vertices_before;
+  for (const World::VertexRange& range : change.removed_vertices) stayed -= range.last - range.first;
   const std::size_t added = change.end_added - change.first_added;
-  if (change.vertex_after.size() != old_vertices || change.end_added < change.first_added || stayed + added != vertices)
-    throw std::invalid_argument("the change leads from " + std::to_string(change.vertex_after.size()) +
-                                " vertices to " + std::to_string(stayed + added) + ", the worlds have " +
-                                std::to_string(old_vertices) + " and " + std::to_string(vertices));
+  if (change.vertices_before != old_vertices || change.end_added < change.first_added || stayed + added != vertices)
+    throw std::invalid_argument("the change leads from " + std::to_string(change.vertices_before) + " vertices to " +
+                                std::to_string(stayed + added) + ", the worlds have " + std::to_string(old_vertices) +
+                                " and " + std::to_string(vertices));
 }
 
 }  // namespace arcway::internal

@@ -16,9 +16,8 @@ double largest_reach(const CircleChange::Circles& of, const Footprint& grown_bod
   return largest;
 }
 
-bool same_row(std::span<const VertexId> before, std::span<const VertexId> after,
-              const std::vector<VertexId>& vertex_after) {
-  return std::ranges::equal(before, after, [&](VertexId v, VertexId now) { return vertex_after[v] == now; });
+bool same_row(std::span<const VertexId> before, std::span<const VertexId> after, const VertexMap& map) {
+  return std::ranges::equal(before, after, [&](VertexId v, VertexId now) { return map.after(v) == now; });
 }
 
 }  // namespace
@@ -37,13 +36,14 @@ CircleChange::CircleChange(const Circles& before, const Circles& after, const Wo
       places_(places_of(change, largest_reach(after, grown_body))),
       kept_(after.world.vertices().size(), Kept::kNothing),
       is_unchanged_around_(kept_.size(), 0) {
-  match(before, after, change.vertex_after);
+  const VertexMap map(change);
+  match(before, after, map);
   for (const VertexId v : world_.convex_vertices())
     if (!places_.may_meet(world_.vertex(v), world_.vertex(v))) kept_[v] = Kept::kSurroundings;
   for (const VertexId v : before.world.convex_vertices()) {
-    const VertexId now = change.vertex_after[v];
+    const VertexId now = map.after(v);
     if (now == kNone || kept_[now] == Kept::kNothing) continue;
-    if (same_row(before.rows.of(v), after.rows.of(now), change.vertex_after)) kept_[now] = Kept::kRow;
+    if (same_row(before.rows.of(v), after.rows.of(now), map)) kept_[now] = Kept::kRow;
   }
   find_unchanged_around(after.rows, steps);
 }
@@ -67,12 +67,12 @@ void CircleChange::find_unchanged_around(const VisibilityRows& rows, std::uint32
     if (is_unchanged_around_[v] && places_.may_meet(around[v])) is_unchanged_around_[v] = 0;
 }
 
-void CircleChange::match(const Circles& before, const Circles& after, const std::vector<VertexId>& vertex_after) {
+void CircleChange::match(const Circles& before, const Circles& after, const VertexMap& map) {
   const auto old = before.circles.all();
   const auto all = after.circles.all();
   for (std::uint32_t c = 0; c < old.size(); ++c) {
-    const VertexId v = vertex_after[old[c].vertex];
-    const VertexId second = old[c].second == kNone ? kNone : vertex_after[old[c].second];
+    const VertexId v = map.after(old[c].vertex);
+    const VertexId second = old[c].second == kNone ? kNone : map.after(old[c].second);
     if (v == kNone || !after.circles.has(v) || (second == kNone) != (old[c].second == kNone)) continue;
     after.circles.visit_around(v, old[c].side, [&](std::uint32_t now) {
       const TurnCircle& circle = all[now];

@@ -8,6 +8,7 @@
 #include "arcway/world.h"
 #include "arcway/world_change.h"
 #include "core/geometry/near_boxes.h"
+#include "core/model/vertex_map.h"
 #include "core/roadmap/turn_circles.h"
 
 namespace arcway::internal {
@@ -48,7 +49,7 @@ class CircleChange {
  private:
   // What a vertex keeps: its surroundings, and its row of the reduced graph as well.
   enum class Kept : std::uint8_t { kNothing, kSurroundings, kRow };
-  void match(const Circles& before, const Circles& after, const std::vector<VertexId>& vertex_after);
+  void match(const Circles& before, const Circles& after, const VertexMap& map);
   void find_unchanged_around(const VisibilityRows& rows, std::uint32_t steps);
 
   World world_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,11 +15,22 @@ struct ARCWAY_API WorldChange {
   /// @throws std::invalid_argument if the remaining obstacles and the bounds are not those of `after`, in their order
   ///   and in front of the added ones. Graphs of such a change would differ from new ones.
   WorldChange(const World& before, const World& after, std::span<const ObstacleId> removed);
+  /// A change by before.changed(removed, added), which returned `after`. Obstacles that remain are not looked at, so
+  /// that it takes time by what changed only. Precondition: that call was made.
+  [[nodiscard]] static WorldChange unchecked(const World& before, const World& after,
+                                             std::span<const ObstacleId> removed);
 
-  std::vector<VertexId> vertex_after;                ///< by vertex of `before`: its id in `after`, or kNone; ascending
+  /// The id in `after` of a vertex of `before`; kNone if it was removed. Ids of vertices that remain ascend.
+  /// O(obstacles removed).
+  [[nodiscard]] VertexId vertex_after(VertexId before) const;
+
+  std::size_t vertices_before;                       ///< number of vertices of `before`
   std::vector<Box> removed_boxes, added_boxes;       ///< boxes of the obstacles removed and added [m]
   std::vector<World::VertexRange> removed_vertices;  ///< of each removed obstacle in `before`, ascending
   VertexId first_added, end_added;                   ///< range of the added obstacles' vertices in `after`
+
+ private:
+  WorldChange() = default;
 };
 
 }  // namespace arcway

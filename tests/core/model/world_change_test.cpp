@@ -27,7 +27,9 @@ TEST(WorldChange, MapsVerticesThatStay) {
   const World before({kFirst, kSecond}, test::square(-1, -1, 20));
   const std::vector<ObstacleId> removed{0};
   const WorldChange change(before, before.changed(removed, {kThird}), removed);
-  EXPECT_EQ(change.vertex_after, (std::vector<VertexId>{kNone, kNone, kNone, kNone, 0, 1, 2, 3, 8, 9, 10, 11}));
+  std::vector<VertexId> vertices;
+  for (VertexId v = 0; v < change.vertices_before; ++v) vertices.push_back(change.vertex_after(v));
+  EXPECT_EQ(vertices, (std::vector<VertexId>{kNone, kNone, kNone, kNone, 0, 1, 2, 3, 8, 9, 10, 11}));
   EXPECT_EQ(change.first_added, 4u);
   EXPECT_EQ(change.end_added, 8u);
   EXPECT_EQ(change.removed_boxes.size(), 1u);
