@@ -1,8 +1,11 @@
 #include "arcway/world.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -10,6 +13,7 @@
 #include <utility>
 
 #include "core/base/huge_pages.h"
+#include "core/base/spare.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/ray_parity.h"
 #include "core/model/world_checks.h"
@@ -25,6 +29,10 @@ namespace {
 constexpr std::size_t kScanVertices = 64;
 // Edges examined region by region, per vertex, after which one sweep over all edges takes over.
 constexpr std::size_t kRegionPatience = 128;
+// Share of the obstacles that may differ, beside some of any world, where a change takes the arrays of a world that is
+// gone. It looks again which vertices near these obstacles are covered.
+constexpr std::size_t kMostOthersOf = 8;
+constexpr std::size_t kOthersOfAny = 64;
 
 std::size_t vertex_count_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
@@ -33,6 +41,12 @@ std::size_t vertex_count_of(const std::vector<Polygon>& polygons) {
     for (const Ring& hole : polygon.holes) count += hole.size();
   }
   return count;
+}
+
+// A number that no region has yet.
+std::uint64_t next_stamp() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
 }
 
 }  // namespace
@@ -56,6 +70,16 @@ struct World::Data {
   bool has_bounds = false;
   std::optional<ObstacleKey> next_key;  // of the next obstacle that is added; none: keys are ids, nothing was removed
   std::vector<ObstacleKey> keys;        // of the obstacles, ascending, where they are no ids
+  std::vector<std::uint64_t> stamps;    // one a region: regions of equal stamps are the same, in all worlds
+  std::shared_ptr<Spare<Data>> spare = std::make_shared<Spare<Data>>();  // of all worlds of one origin
+
+  // Gives its arrays to the next change when it is gone.
+  static std::shared_ptr<const Data> shared(std::unique_ptr<Data> data) {
+    return {data.release(), [](Data* gone) {
+              const std::shared_ptr<Spare<Data>> spare = std::move(gone->spare);
+              spare->give(std::unique_ptr<Data>(gone));
+            }};
+  }
 
   // Vertices inside an edge of their own region, whichever of its sides their ring is on.
   struct Touches {
@@ -108,6 +132,74 @@ struct World::Data {
     convex_vertices.reserve(vertex_count);
   }
 
+  // Calls visit(begin, end) for ranges of obstacles that remain, but for the first `skipped` ones.
+  template <class Visitor>
+  static void visit_kept(std::span<const ObstacleId> removed, ObstacleId obstacles, std::size_t skipped,
+                         Visitor&& visit) {
+    ObstacleId begin = 0;
+    for (std::size_t i = 0; i <= removed.size(); ++i) {
+      const ObstacleId end = i < removed.size() ? removed[i] : obstacles;
+      const auto passed = static_cast<ObstacleId>(std::min<std::size_t>(skipped, end - begin));
+      skipped -= passed;
+      if (begin + passed < end) visit(begin + passed, end);
+      begin = end + 1;
+    }
+  }
+
+  // The number of first obstacles that this world has in common with what is left of another one.
+  [[nodiscard]] std::size_t count_common(const Data& other, std::span<const ObstacleId> removed) const {
+    std::size_t common = 0;
+    bool differs = false;
+    visit_kept(removed, other.obstacle_count(), 0, [&](ObstacleId begin, ObstacleId end) {
+      if (differs) return;
+      const auto range = std::span(other.stamps).subspan(begin, end - begin);
+      const auto mine = std::span(stamps).first(obstacle_count()).subspan(common);
+      const auto at = std::ranges::mismatch(range, mine).in1;
+      common += static_cast<std::size_t>(at - range.begin());
+      differs = at != range.end();
+    });
+    return common;
+  }
+
+  // Keeps the first regions only. Their vertices may be covered by others than before.
+  void truncate(std::size_t regions) {
+    const VertexId count = region_starts[regions];
+    for (HugeVector<VertexId>* array : {&next, &previous, &obstacle_of}) array->resize(count);
+    vertices.resize(count);
+    edges.resize(count);
+    convex.resize(count);
+    covered.resize(count);
+    convex_vertices.erase(std::ranges::lower_bound(convex_vertices, count), convex_vertices.end());
+    region_starts.resize(regions + 1);
+    region_rings.resize(regions + 1);
+    ring_starts.resize(region_rings.back());
+    boxes.resize(regions);
+    stamps.resize(regions);
+    has_bounds = false;
+    box = Box();
+    for (const Box& of_region : boxes) box.extend(of_region);
+  }
+
+  // What a change of another world begins with: arrays of a world that is gone, with the first obstacles of those that
+  // remain. No obstacles if they have few in common: copies are made faster than coverage is looked at again.
+  // @param places  becomes the boxes of obstacles that the arrays held beside these.
+  static std::unique_ptr<Data> begin_change(const Data& old, std::span<const ObstacleId> removed,
+                                            std::vector<Box>& places) {
+    std::unique_ptr<Data> data = old.spare->take();
+    const std::size_t common = data ? data->count_common(old, removed) : 0;
+    const std::size_t others = std::max<std::size_t>(old.obstacle_count(), data ? data->obstacle_count() : 0) - common;
+    if (!data || !data->contacts.empty() || !old.contacts.empty() ||
+        others * kMostOthersOf > old.obstacle_count() + kOthersOfAny) {
+      data = std::make_unique<Data>();
+    } else {
+      places.assign(data->boxes.begin() + static_cast<std::ptrdiff_t>(common),
+                    data->boxes.begin() + data->obstacle_count());
+      data->truncate(common);
+    }
+    data->spare = old.spare;
+    return data;
+  }
+
   // Regions [begin, end) of another world, after the last one of this one, with all that is known about them.
   void copy_regions(const Data& from, ObstacleId begin, ObstacleId end) {
     const VertexId first = from.region_starts[begin], last = from.region_starts[end];
@@ -134,6 +226,7 @@ struct World::Data {
       region_starts.push_back(moved(from.region_starts[o + 1]));
       region_rings.push_back(ring_starts.size());
       boxes.push_back(from.boxes[o]);
+      stamps.push_back(from.stamps[o]);
       box.extend(from.boxes[o]);
     }
     for (auto c = std::ranges::lower_bound(from.contacts, first, {}, &SelfContact::edge);
@@ -145,6 +238,7 @@ struct World::Data {
   void close_region(const Box& region_box) {
     obstacle_of.resize(vertices.size(), static_cast<ObstacleId>(boxes.size()));
     boxes.push_back(region_box);
+    stamps.push_back(next_stamp());
     region_starts.push_back(static_cast<VertexId>(vertices.size()));
     region_rings.push_back(ring_starts.size());
     box.extend(region_box);
@@ -155,12 +249,16 @@ struct World::Data {
   }
 
   // Takes the keys of the obstacles that are left of another world, and gives new ones to all others.
-  void take_keys(const Data& from, std::span<const ObstacleId> removed) {
+  // @param known  number of obstacles whose keys are right if there are any.
+  void take_keys(const Data& from, std::span<const ObstacleId> removed, std::size_t known) {
     const ObstacleId before = from.obstacle_count();
+    next_key.reset();
+    keys.resize(from.next_key || !removed.empty() ? std::min(keys.size(), known) : 0);
     if (!from.next_key && removed.empty()) return;
     keys.reserve(obstacle_count());
-    for (ObstacleId o = 0; o < before; ++o)
-      if (!std::ranges::binary_search(removed, o)) keys.push_back(from.key_of(o));
+    visit_kept(removed, before, keys.size(), [&](ObstacleId begin, ObstacleId end) {
+      for (ObstacleId o = begin; o < end; ++o) keys.push_back(from.key_of(o));
+    });
     ObstacleKey unused = from.next_key.value_or(before);
     while (keys.size() < obstacle_count()) keys.push_back(unused++);
     next_key = unused;
@@ -180,9 +278,38 @@ struct World::Data {
 
   [[nodiscard]] bool is_graph_vertex(VertexId v) const { return convex[v] && !covered[v]; }
 
-  void list_convex_vertices() {
-    for (VertexId v = 0; v < vertices.size(); ++v)
+  // @param listed  number of first vertices that are done.
+  void list_convex_vertices(VertexId listed = 0) {
+    for (VertexId v = listed; v < vertices.size(); ++v)
       if (is_graph_vertex(v)) convex_vertices.push_back(v);
+  }
+
+  // Decides which vertices are covered after a change, and lists the convex ones.
+  // @param places  boxes of obstacles that were removed or added.
+  // @param added   new vertices.
+  // @param listed  number of first vertices whose convex ones are listed as before the change.
+  void update_covered(const std::vector<Box>& places, const VertexRange& added, VertexId listed) {
+    const BoxTree tree(places);
+    Box all;
+    for (const Box& place : places) all.extend(place);
+    const auto has_changed = [&](const Box& where) {
+      return all.overlaps(where) && !tree.visit_overlaps(where, [](std::uint32_t) { return false; });
+    };
+    std::vector<VertexId> doubtful;
+    for (ObstacleId o = 0; o < boxes.size(); ++o) {
+      if (!has_changed(boxes[o])) continue;
+      for (VertexId v = region_starts[o]; v < region_starts[o + 1]; ++v) {
+        const bool is_new = added.first <= v && v < added.last;
+        if (is_new || has_changed(Box{vertices[v], vertices[v]})) doubtful.push_back(v);
+      }
+    }
+    std::vector<bool> before;
+    for (const VertexId v : doubtful) before.push_back(covered[v]);
+    mark_covered(doubtful);
+    for (std::size_t i = 0; i < doubtful.size(); ++i)
+      if (doubtful[i] < listed && covered[doubtful[i]] != before[i]) listed = 0;
+    if (listed == 0) convex_vertices.clear();
+    list_convex_vertices(listed);
   }
 
   [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
@@ -299,10 +426,13 @@ struct World::Data {
   bool mark_inside(std::span<const ObstacleId> regions, std::span<const VertexId> which, std::size_t most) {
     const Stretches stretches = stretches_of(which);
     const BoxTree stretch_tree(stretches.boxes);
+    Box asked;
+    for (const Box& stretch : stretches.boxes) asked.extend(stretch);
     // Region by region, so that the tree over the edges of a large one lives only for its turn.
     for (const ObstacleId region : regions) {
-      RegionSearch search(*this, region);
       const Box& around = is_bounds(region) ? box : boxes[region];  // what is outside of the bounds is covered
+      if (!around.overlaps(asked)) continue;
+      RegionSearch search(*this, region);
       const bool is_done = stretch_tree.visit_overlaps(around, [&](std::uint32_t i) {
         ++search.looks;
         const auto stretch = which.subspan(stretches.starts[i], stretches.starts[i + 1] - stretches.starts[i]);
@@ -400,6 +530,7 @@ World World::from_snapshot(WorldSnapshot snapshot) {
     data->region_starts.push_back(last);
     data->region_rings.push_back(end_ring);
     data->boxes.push_back(region_box);
+    data->stamps.push_back(next_stamp());
     data->box.extend(region_box);
   }
   data->vertices.assign(snapshot.vertices.begin(), snapshot.vertices.end());
@@ -441,16 +572,15 @@ World World::with_obstacles_changed(std::span<const ObstacleId> removed, const s
       throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + " follows " +
                                   std::to_string(removed[i - 1]) + ": they must ascend");
   }
-  auto data = std::make_shared<Data>();
-  data->reserve(old.vertices.size() + vertex_count_of(added));
   std::vector<Box> places;
-  ObstacleId kept = 0;
-  for (const ObstacleId o : removed) {
-    data->copy_regions(old, kept, o);
-    places.push_back(old.boxes[o]);
-    kept = o + 1;
-  }
-  data->copy_regions(old, kept, obstacles);
+  std::unique_ptr<Data> data = Data::begin_change(old, removed, places);
+  data->reserve(old.vertices.size() + vertex_count_of(added));
+  const std::size_t common = data->boxes.size();
+  for (const ObstacleId o : removed) places.push_back(old.boxes[o]);
+  Data::visit_kept(removed, obstacles, common, [&](ObstacleId begin, ObstacleId end) {
+    if (common > 0) places.insert(places.end(), old.boxes.begin() + begin, old.boxes.begin() + end);
+    data->copy_regions(old, begin, end);
+  });
   const auto first_added = static_cast<VertexId>(data->vertices.size());
   Data::Touches touches;
   for (const Polygon& polygon : added) {
@@ -468,24 +598,10 @@ World World::with_obstacles_changed(std::span<const ObstacleId> removed, const s
     data->sort_contacts();
   }
   require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
-  data->take_keys(old, removed);
-
-  const BoxTree changed_places(places);
-  const auto has_changed = [&](const Box& box) {
-    return !changed_places.visit_overlaps(box, [](std::uint32_t) { return false; });
-  };
-  std::vector<VertexId> doubtful;
-  for (ObstacleId o = 0; o < data->boxes.size(); ++o) {
-    if (!has_changed(data->boxes[o])) continue;
-    for (VertexId v = data->region_starts[o]; v < data->region_starts[o + 1]; ++v) {
-      const bool is_new = first_added <= v && v < end_added;
-      if (is_new || has_changed(Box{data->vertices[v], data->vertices[v]})) doubtful.push_back(v);
-    }
-  }
-  data->mark_covered(doubtful);
-  data->list_convex_vertices();
+  data->take_keys(old, removed, common);
+  data->update_covered(places, {first_added, end_added}, data->region_starts[common]);
   World world = *this;
-  world.data_ = std::move(data);
+  world.data_ = Data::shared(std::move(data));
   return world;
 }
 

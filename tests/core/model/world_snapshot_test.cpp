@@ -6,47 +6,19 @@
 #include "arcway/datasets/map_file.h"
 #include "arcway/world.h"
 #include "tests/support/nasty_worlds.h"
+#include "tests/support/same_worlds.h"
 #include "tests/support/touching_worlds.h"
 
 namespace arcway::internal {
 namespace {
 
-void expect_same(const World& a, const World& b) {
-  ASSERT_EQ(a.vertices().size(), b.vertices().size());
-  ASSERT_EQ(a.obstacle_count(), b.obstacle_count());
-  ASSERT_EQ(a.has_bounds(), b.has_bounds());
-  for (VertexId v = 0; v < a.vertices().size(); ++v) {
-    ASSERT_EQ(a.vertex(v), b.vertex(v)) << v;
-    ASSERT_EQ(a.next(v), b.next(v)) << v;
-    ASSERT_EQ(a.previous(v), b.previous(v)) << v;
-    ASSERT_EQ(a.obstacle_of(v), b.obstacle_of(v)) << v;
-    ASSERT_EQ(a.is_convex(v), b.is_convex(v)) << v;
-    ASSERT_EQ(a.is_covered(v), b.is_covered(v)) << v;
-    ASSERT_EQ(a.edges()[v].b, b.edges()[v].b) << v;
-  }
-  ASSERT_TRUE(std::equal(a.convex_vertices().begin(), a.convex_vertices().end(), b.convex_vertices().begin(),
-                         b.convex_vertices().end()));
-  for (ObstacleId o = 0; o < a.region_count(); ++o) {
-    ASSERT_EQ(a.vertices_of(o).first, b.vertices_of(o).first);
-    ASSERT_EQ(a.vertices_of(o).last, b.vertices_of(o).last);
-    ASSERT_TRUE(
-        std::equal(a.ring_starts(o).begin(), a.ring_starts(o).end(), b.ring_starts(o).begin(), b.ring_starts(o).end()));
-    ASSERT_EQ(a.box_of(o).min, b.box_of(o).min);
-    ASSERT_EQ(a.box_of(o).max, b.box_of(o).max);
-  }
-  ASSERT_TRUE(std::ranges::equal(a.self_contacts(), b.self_contacts()));
-  if (a.vertices().empty()) return;
-  ASSERT_EQ(a.box().min, b.box().min);
-  ASSERT_EQ(a.box().max, b.box().max);
-}
-
 TEST(WorldSnapshot, GiveTheSameWorldAgain) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(seed);
     const World world = test::nasty_world(seed, 9);
-    expect_same(World::from_snapshot(world.snapshot()), world);
+    test::expect_same_world(World::from_snapshot(world.snapshot()), world);
     const World touching = test::touching_world(seed, 3);
-    expect_same(World::from_snapshot(touching.snapshot()), touching);
+    test::expect_same_world(World::from_snapshot(touching.snapshot()), touching);
   }
 }
 
@@ -127,7 +99,7 @@ TEST(ChangedWorld, IsTheOneMadeOfItsPolygons) {
       for (auto o = removed.rbegin(); o != removed.rend(); ++o) map.obstacles.erase(map.obstacles.begin() + *o);
       map.obstacles.insert(map.obstacles.end(), added.begin(), added.end());
       world = world.changed(removed, added);
-      expect_same(world, World(map.obstacles, map.bounds));
+      test::expect_same_world(world, World(map.obstacles, map.bounds));
       if (HasFatalFailure()) return;
     }
   }

@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "arcway/datasets/map_file.h"
+#include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
+#include "tests/support/same_worlds.h"
 
 namespace arcway::internal {
 namespace {
@@ -254,6 +259,65 @@ TEST(World, IsMadeOfPolygonsOrRings) {
   } catch (const WorldError& error) {
     EXPECT_STREQ(error.what(), "bounds: a polygon with 1 hole, must have none; make holes obstacles");
     EXPECT_EQ(error.obstacle(), 1u);
+  }
+}
+
+// A world and the polygons that it is made of.
+struct KnownWorld {
+  World world;
+  std::vector<Polygon> obstacles;
+};
+
+KnownWorld changed_at_random(const KnownWorld& from, test::RandomInputs& random) {
+  std::vector<ObstacleId> removed;
+  std::vector<Polygon> obstacles, added = to_map_file(test::nasty_world(random.bits(), 2)).obstacles;
+  for (ObstacleId o = 0; o < from.obstacles.size(); ++o)
+    if (random.integer(0, 5) == 0) {
+      removed.push_back(o);
+    } else {
+      obstacles.push_back(from.obstacles[o]);
+    }
+  obstacles.insert(obstacles.end(), added.begin(), added.end());
+  return {from.world.changed(removed, added), std::move(obstacles)};
+}
+
+// Changes use arrays again of worlds that are gone. Some are kept meanwhile, and changed later in another way.
+TEST(World, IsAfterAnyChangesTheSameAsMadeAnew) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomInputs random(seed);
+    const MapFile map = to_map_file(test::nasty_world(seed, 14));
+    std::vector<KnownWorld> kept{{World(map.obstacles, map.bounds), map.obstacles}};
+    for (int step = 0; step < 20; ++step) {
+      const auto from = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(kept.size()) - 1));
+      KnownWorld next = changed_at_random(kept[from], random);
+      test::expect_same_world(next.world, World(next.obstacles, map.bounds));
+      if (random.integer(0, 1) == 0 && kept.size() < 5) {
+        kept.push_back(std::move(next));
+      } else {
+        kept[from] = std::move(next);
+      }
+    }
+    for (const KnownWorld& known : kept) test::expect_same_world(known.world, World(known.obstacles, map.bounds));
+  }
+}
+
+// Coverage far from a change is copied, and near it is looked at again, also where a world that is gone differed.
+TEST(World, KnowsWhatIsCoveredWhereArraysAreUsedAgain) {
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 200; ++i) obstacles.push_back({square(3.0 * i, 0, 1), {}});
+  const auto cover = [](int i) { return std::vector<Polygon>{{square(3.0 * i - 0.5, -0.5, 2), {}}}; };
+  const World first(obstacles);
+  const auto is_covered = [&](const World& world, int i) { return world.is_covered(static_cast<VertexId>(4 * i)); };
+  const void* gone = nullptr;
+  for (const int i : {7, 90, 90, 199, 0}) {
+    const World covering = first.changed({}, cover(i));
+    for (int k = 0; k < 200; ++k) ASSERT_EQ(is_covered(covering, k), k == i) << k;
+    EXPECT_EQ(covering.convex_vertices().size(), first.convex_vertices().size());
+    if (gone) {
+      EXPECT_EQ(covering.vertices().data(), gone) << "arrays of the world before are used again";
+    }
+    gone = covering.vertices().data();
   }
 }
 
