@@ -68,9 +68,9 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
     : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
   constexpr std::size_t kGrain = 256;
   const std::span<const VertexId> convex = world.convex_vertices();
-  const std::size_t own = 2 * radius_count_ * convex.size();
-  circles_.reserve(own + own / 8);  // for those of two vertices
-  circles_.resize(own);
+  own_count_ = 2 * radius_count_ * convex.size();
+  circles_.reserve(own_count_ + own_count_ / 8);  // for those of two vertices
+  circles_.resize(own_count_);
   executor.begin_stage("turn circles");
   executor.for_ranges(convex.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -89,22 +89,47 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
   add_pairs(of_pairs);
 }
 
+TurnCircles::~TurnCircles() {
+  if (!origin_.room) return;
+  origin_.room->circles.swap(circles_);
+  origin_.room->first.swap(first_);
+  origin_.spare->give(std::move(origin_.room));
+}
+
 void TurnCircles::add_pairs(std::span<const TurnCircle> of_pairs) {
-  const std::size_t own = circles_.size();
   circles_.insert(circles_.end(), of_pairs.begin(), of_pairs.end());
   base_count_ = first_of_gap_straights_ = circles_.size();
-  group_more(own);
+  group_more();
+}
+
+std::size_t TurnCircles::take_arrays(const VertexMap& change, std::span<const VertexId> convex) {
+  const std::unique_ptr<Arrays> gone = origin_.spare->take();
+  origin_.change = origin_.change ? origin_.change->then(change) : change;
+  origin_.room = std::make_unique<Arrays>(Arrays{*origin_.change, {}, {}});
+  if (!gone) return 0;
+  circles_.swap(gone->circles);
+  first_.swap(gone->first);
+  // Where the convex vertices are the same ones, so are the indices of circles.
+  const VertexId common = gone->change.common_with(*origin_.change);
+  std::size_t done = 0;
+  while (done < convex.size() && convex[done] < common && first_[convex[done]] == 2 * radius_count_ * done) ++done;
+  circles_.resize(2 * radius_count_ * done);
+  first_.resize(done > 0 ? convex[done - 1] + 1 : 0);
+  return done;
 }
 
 // Many parameters because it is made of two worlds.
 TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after,
                          const VisibilityRows& rows, std::span<const VertexId> may_differ, const CircleRadii& radii,
                          const Footprint& grown_body)
-    : radius_count_(before.radius_count_), first_(after.vertices().size(), kNone) {
+    : radius_count_(before.radius_count_),
+      own_count_(2 * radius_count_ * after.convex_vertices().size()),
+      origin_(before.origin_) {
   const std::span<const VertexId> convex = after.convex_vertices();
-  const std::size_t own = 2 * radius_count_ * convex.size();
-  circles_.reserve(own + own / 8);  // for those of two vertices
-  for (const VertexId v : convex) {
+  const std::size_t done = take_arrays(change, convex);
+  circles_.reserve(own_count_ + own_count_ / 8);  // for those of two vertices
+  first_.resize(after.vertices().size(), kNone);
+  for (const VertexId v : convex.subspan(done)) {
     first_[v] = static_cast<std::uint32_t>(circles_.size());
     const VertexId was = change.before(v);
     if (was != kNone && before.has(was)) {
@@ -120,7 +145,7 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
 
   const auto may_be_other = [&](VertexId v) { return std::ranges::binary_search(may_differ, v); };
   std::vector<TurnCircle> of_pairs;
-  for (std::size_t c = before.first_of_pairs(); c < before.base_count_; ++c) {
+  for (std::size_t c = before.own_count_; c < before.base_count_; ++c) {
     TurnCircle circle = before.circles_[c];
     circle.vertex = change.after(circle.vertex);
     circle.second = change.after(circle.second);
@@ -135,12 +160,11 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
   add_pairs(of_pairs);
 }
 
-std::size_t TurnCircles::first_of_pairs() const {
-  return 2 * radius_count_ * static_cast<std::size_t>(std::ranges::count_if(first_, [](auto f) { return f != kNone; }));
-}
-
 TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
-    : radius_count_(base.radius_count_), first_(base.first_), base_count_(base.base_count_) {
+    : radius_count_(base.radius_count_),
+      own_count_(base.own_count_),
+      first_(base.first_),
+      base_count_(base.base_count_) {
   std::size_t count = base_count_ + added.around_vertices.size();
   for (const GapStraight& straight : added.gap_straights) count += straight.entries.size() + straight.exits.size();
   circles_.reserve(count);
@@ -154,19 +178,19 @@ TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     gap_straight_.resize(circles_.size() - first_of_gap_straights_, static_cast<std::uint32_t>(gap_straights_.size()));
     gap_straights_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
   }
-  group_more(first_of_pairs());
+  group_more();
   beside_ = vertex_buckets(first_of_gap_straights_, circles_.size(), std::array{Side::kLeft, Side::kRight});
 }
 
-// @param own  number of circles that are a vertex's own.
-void TurnCircles::group_more(std::size_t own) {
-  more_ = {vertex_buckets(own, first_of_gap_straights_, std::array{Side::kLeft}),
-           vertex_buckets(own, first_of_gap_straights_, std::array{Side::kRight})};
+void TurnCircles::group_more() {
+  more_ = {vertex_buckets(own_count_, first_of_gap_straights_, std::array{Side::kLeft}),
+           vertex_buckets(own_count_, first_of_gap_straights_, std::array{Side::kRight})};
 }
 
 TurnCircles::VertexBuckets TurnCircles::vertex_buckets(std::size_t first, std::size_t last,
                                                        std::span<const Side> sides) const {
   VertexBuckets result;
+  if (first == last) return result;
   result.starts.assign(first_.size() + 1, 0);
   const auto visit = [&](auto&& see) {
     for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {

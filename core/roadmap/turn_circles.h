@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +13,7 @@
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
 #include "core/base/huge_pages.h"
+#include "core/base/spare.h"
 #include "core/model/vertex_map.h"
 #include "core/roadmap/added_circles.h"
 #include "core/roadmap/circle_radii.h"
@@ -30,7 +34,9 @@ class TurnCircles {
               const Executor& executor);
 
   /// The base circles of a world after a change, from those before it, of the same radii and body: the same as made
-  /// anew. It asks for rows of close vertices that may have other neighbors only. O(n), mostly copies.
+  /// anew. It asks for rows of close vertices that may have other neighbors only. It takes the arrays of circles that are
+  /// gone and came from the same ones by changes. What follows the first vertex that only one of the two worlds has is
+  /// made again.
   /// @param rows  of the world after the change.
   /// @param may_differ  see VisibilityRows::Changed.
   TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after, const VisibilityRows& rows,
@@ -39,6 +45,11 @@ class TurnCircles {
   /// The base circles, followed by added ones: those around a vertex, then those of the gap straights, entries before
   /// exits.
   TurnCircles(const TurnCircles& base, const AddedCircles& added);
+
+  TurnCircles(const TurnCircles& other) = default;
+  TurnCircles(TurnCircles&& other) noexcept = default;
+  TurnCircles& operator=(const TurnCircles&) = delete;
+  ~TurnCircles();
 
   /// All circles. Those of single vertices come first, all of one vertex together: index = first + 2 * radius index +
   /// (right ? 1 : 0). Circles of two vertices follow.
@@ -96,13 +107,31 @@ class TurnCircles {
     std::vector<std::uint32_t> circles;
   };
   struct PairRule;
-  // The number of circles around single vertices, where those around two begin.
-  [[nodiscard]] std::size_t first_of_pairs() const;
+  // Base circles of a world, as others of the same origin may use them again.
+  struct Arrays {
+    VertexMap change;  // from the world of the origin
+    HugeVector<TurnCircle> circles;
+    HugeVector<std::uint32_t> first;
+  };
+  // The circles that these came from by changes, and where their arrays go when they are gone.
+  struct Origin {
+    Origin() = default;
+    Origin(const Origin& other) : spare(other.spare), change(other.change) {}
+    Origin(Origin&&) noexcept = default;
+    Origin& operator=(const Origin&) = delete;
+
+    std::shared_ptr<Spare<Arrays>> spare = std::make_shared<Spare<Arrays>>();
+    std::optional<VertexMap> change;
+    std::unique_ptr<Arrays> room;  // null if there was no change, and in copies
+  };
+  // Takes arrays of circles that are gone, and leaves what they have in common with those of a world after a change.
+  // Returns the number of convex vertices that are done.
+  std::size_t take_arrays(const VertexMap& change, std::span<const VertexId> convex);
   // Completes the base circles.
   void add_pairs(std::span<const TurnCircle> of_pairs);
   // Groups circles of [first, last) by the vertices that they refer to: those of some sides.
   [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::span<const Side> sides) const;
-  void group_more(std::size_t own);
+  void group_more();
 
   struct GapStraightRange {
     std::uint32_t exits, end;  // circles
@@ -112,6 +141,8 @@ class TurnCircles {
   }
 
   std::size_t radius_count_;
+  std::size_t own_count_ = 0;  // of circles around single vertices, where those around two begin
+  Origin origin_;
   HugeVector<TurnCircle> circles_;
   HugeVector<std::uint32_t> first_;    // of each vertex's own circles, or kNone
   std::array<VertexBuckets, 2> more_;  // left and right circles around vertices that are not a vertex's own

@@ -113,6 +113,41 @@ TEST(ChangedPlanners, HaveTheRowsAndLinksOfNewOnesInNastyWorlds) {
   }
 }
 
+// Changes use arrays again of planners that are gone, and not of those that are kept.
+TEST(ChangedPlanners, LeaveOthersAsTheyAre) {
+  const Vehicle vehicle({.length = 0.3, .width = 0.16, .wheelbase = 0.26, .safety_margin = 0.01});
+  const PlannerOptions options{.radii = {vehicle.min_turning_radius()}};
+  struct Known {
+    Planner planner;
+    ChangingMap map;
+  };
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const World world = test::nasty_world(seed, 40);
+    std::vector<Known> kept{{Planner(world, vehicle, accel_backend(world), options), ChangingMap(world, seed)}};
+    for (int step = 0; step < 8; ++step) {
+      const std::size_t from = step % kept.size();
+      Known next = kept[from];
+      const bool adds = next.map.random().integer(0, 2) != 0;
+      next.planner = next.map.changed(
+          next.planner, 12,
+          adds ? to_map_file(test::nasty_world(next.map.random().bits(), 2)).obstacles : std::vector<Polygon>{});
+      if (step % 3 == 0) {
+        kept.push_back(std::move(next));
+      } else {
+        kept[from] = std::move(next);
+      }
+    }
+    for (const Known& known : kept) {
+      const World after = known.map.anew();
+      const Planner anew(after, vehicle, accel_backend(after), options);
+      expect_same_rows(known.planner, anew);
+      expect_same_links(known.planner, anew, 3);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
 TEST(ChangedPlanners, ThatAreEagerHaveTheGraphsOfNewOnes) {
   const World world = catalog_world("clutter/star/n40/m9/f30/s5");
   const PlannerOptions options{.graph_mode = GraphMode::kEager};
