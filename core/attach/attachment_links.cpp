@@ -19,10 +19,9 @@ namespace {
 constexpr double kLengthRounding = 1e-9;  // share of a length that rounding may change
 
 void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<std::uint32_t>& pieces) {
-  const auto distance = [&](std::uint32_t piece) { return outlines[piece].box.distance_to(place); };
-  std::sort(pieces.begin(), pieces.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const double to_a = distance(a), to_b = distance(b);
-    return to_a != to_b ? to_a < to_b : a < b;
+  std::ranges::sort(pieces, {}, [&](std::uint32_t i) {
+    const Outlines::Piece piece = outlines[i];
+    return std::pair(piece.box.distance_to(place), piece.first);
   });
 }
 
@@ -55,19 +54,20 @@ class CircleLinks {
         [&](const Outlines::Piece& piece, std::uint32_t index) {
           if (body_covers_reference) horizon_.shorten(piece.points, piece.box);
           pieces.push_back(index);
-          for (const CirclePlaces::Group& group : map_.places->groups(index)) circles += group.last - group.first;
+          for (const CirclePlaces::Group& group : map_.places->of(index).groups) circles += group.last - group.first;
         });
-    if (circles > limit_.most_links) sort_near_first(own_.circle.center, *map_.outlines, pieces);
+    if (circles > limit_.most_links) sort_near_first(own_.circle.center, map_.places->outlines(), pieces);
   }
 
   // Calls found(circle, line, turn) for each straight between this circle and those of a piece.
   template <class Found>
   void visit_links(std::uint32_t piece, Found&& found) const {
-    for (const CirclePlaces::Group& group : map_.places->groups(piece)) {
+    const CirclePlaces::Circles here = map_.places->of(piece);
+    for (const CirclePlaces::Group& group : here.groups) {
       if (is_far(group.box) || horizon_.hides(group.box)) continue;
       const Sectors outwards = horizon_.sectors_towards(group.box);
       const Sectors sectors = from_start_ ? outwards : std::rotl(outwards, 32);
-      for (const std::uint32_t c : map_.places->circles(group))
+      for (const std::uint32_t c : here.of(group))
         if ((circles_.free_sectors(c) & sectors) != 0) consider(c, found);
     }
   }

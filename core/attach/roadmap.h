@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "arcway/query_set.h"
 #include "arcway/vehicle.h"
@@ -18,6 +19,7 @@ namespace arcway::internal {
 class CircleTable;
 class CirclePlaces;
 class CloseTurns;
+struct RoadmapBefore;
 
 /// The roadmap: the world, the vehicle, their queries and the feasible graph. All searches on one map share it.
 /// Immutable.
@@ -25,11 +27,15 @@ struct Roadmap {
   /// @param queries  see the member.
   /// @param radii  of the graph.
   /// @param outlines  of the world.
+  /// @param before  null if all is made anew.
   Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, CircleRadii radii,
-          std::shared_ptr<const FeasibleGraph> graph, std::shared_ptr<const Outlines> outlines);
+          std::shared_ptr<const FeasibleGraph> graph, std::shared_ptr<const Outlines> outlines,
+          const RoadmapBefore* before = nullptr);
   /// A roadmap of the same world and vehicle with another graph.
   /// @param other_radii  of that graph; the smallest are those of this roadmap.
-  [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii) const;
+  /// @param before  that with the graph before a change; null if there is none.
+  [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii,
+                                   const RoadmapBefore* before = nullptr) const;
   /// The roadmap on which driving close to obstacles costs.
   [[nodiscard]] Roadmap with_cost(std::shared_ptr<const ClearanceCost> cost) const;
 
@@ -47,6 +53,12 @@ struct Roadmap {
   std::shared_ptr<const OneWayZones> one_way_zones;     ///< of the world; null: no zone forbids a direction
   std::shared_ptr<const ClearanceCost> clearance_cost;  ///< null: time alone counts, beside changes of gear
   std::shared_ptr<const CloseTurns> close_turns;        ///< on circles of the graph; null without that cost
+};
+
+/// A roadmap before a change of the world, for one after it that has the same circles where nothing has changed.
+struct RoadmapBefore {
+  const Roadmap& map;
+  std::span<const VertexId> may_differ;  ///< see VisibilityRows::Changed
 };
 
 }  // namespace arcway::internal

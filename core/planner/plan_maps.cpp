@@ -51,15 +51,16 @@ PlanMaps::PlanMaps(Roadmap map, bool gap_circles)
   if (gap_circles && plain.world.vertices().size() <= kNarrowVertices) narrow.emplace(plain);
 }
 
-std::shared_ptr<const LazyFeasibleGraph> LazyGraphs::operator()(const Roadmap& map, const CircleRadii& radii,
-                                                                const Roadmap* before) const {
+Roadmap LazyGraphs::map_of(const Roadmap& map, const CircleRadii& radii, const Roadmap* before) const {
   const FeasibleGraphInputs inputs{map.world, map.vehicle, rows_, map.queries, radii};
   // A graph with the circles of a preferred clearance is no graph of the vertices' circles alone.
   const auto* graph = change_ && before && before->radii == radii && !before->clearance_cost
                           ? dynamic_cast<const LazyFeasibleGraph*>(before->graph.get())
                           : nullptr;
-  if (graph) return change_lazy_feasible_graph(*graph, inputs, change_->change, change_->may_differ);
-  return std::make_shared<const LazyFeasibleGraph>(inputs, executor_);
+  if (!graph) return map.with_graph(std::make_shared<const LazyFeasibleGraph>(inputs, executor_), radii);
+  const RoadmapBefore roadmap{*before, change_->may_differ};
+  return map.with_graph(change_lazy_feasible_graph(*graph, inputs, change_->change, change_->may_differ), radii,
+                        &roadmap);
 }
 
 OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes,
@@ -69,8 +70,7 @@ OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<cons
     if (route.radii == all.radii.size()) return with_other_turns(all, all.vehicle, route.factor);
     if (const Roadmap* same = with_radii(route.radii)) return with_other_turns(*same, all.vehicle, route.factor);
     const CircleRadii radii = all.radii.first(route.radii);
-    auto lazy = graphs(all, radii, before ? before->with_radii(route.radii) : nullptr);
-    const Roadmap plain = all.with_graph(std::move(lazy), radii);
+    const Roadmap plain = graphs.map_of(all, radii, before ? before->with_radii(route.radii) : nullptr);
     return with_other_turns(all.clearance_cost ? with_clear_circles(plain) : plain, all.vehicle, route.factor);
   };
   std::vector<OtherRoute> known{{all.radii.size(), 1.0}};

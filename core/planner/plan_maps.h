@@ -36,7 +36,7 @@ struct PlanMaps {
   std::optional<NarrowPlaces> narrow;
 };
 
-/// Makes the lazy graphs of a planner's further roadmaps.
+/// Makes a planner's further roadmaps, with lazy graphs.
 class LazyGraphs {
  public:
   /// What a planner before a change of the world has found.
@@ -49,10 +49,9 @@ class LazyGraphs {
   LazyGraphs(std::shared_ptr<const VisibilityRows> rows, const Executor& executor, const Change* change)
       : rows_(std::move(rows)), executor_(executor), change_(change) {}
 
-  /// The graph of some radii in the world of a roadmap.
+  /// A roadmap with the graph of some radii.
   /// @param before  the roadmap of the same radii before the change; may be null.
-  [[nodiscard]] std::shared_ptr<const LazyFeasibleGraph> operator()(const Roadmap& map, const CircleRadii& radii,
-                                                                    const Roadmap* before) const;
+  [[nodiscard]] Roadmap map_of(const Roadmap& map, const CircleRadii& radii, const Roadmap* before) const;
 
  private:
   std::shared_ptr<const VisibilityRows> rows_;

@@ -21,6 +21,8 @@
 #include "core/collision/clearance_cost.h"
 #include "core/collision/motion_free.h"
 #include "core/collision/one_way_sweep.h"
+#include "core/model/outlines.h"
+#include "core/model/vertex_map.h"
 #include "core/motion/clearance.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
@@ -68,11 +70,20 @@ auto feasible_maker(const World& world, const Vehicle& vehicle, const QuerySet& 
   };
 }
 
+std::shared_ptr<const Outlines> outlines_of(const World& world, const MapsBefore* before) {
+  if (before) {
+    const VertexMap change(before->change.change);
+    const Outlines& outlines = *before->maps.all.plain.outlines;
+    if (outlines.can_change(change)) return std::make_shared<const Outlines>(outlines, world, change);
+  }
+  return std::make_shared<const Outlines>(world);
+}
+
 // The graph and the outlines do not depend on each other. But a process group talks on the thread that it was made on.
 // Many parameters because those of Planner's constructors come apart here.
 template <class MakeGraph>
 Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& queries, const PlannerOptions& options,
-                 const MakeGraph& make_graph, const Executor& many) {
+                 const MakeGraph& make_graph, const Executor& many, const MapsBefore* before) {
   const SerialExecutor one;
   const Executor& executor =
       options.process_group && options.process_group->size() > 1 ? static_cast<const Executor&>(one) : many;
@@ -80,8 +91,10 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& que
   std::shared_ptr<const Outlines> outlines;
   executor.begin_stage("feasible graph");
   run_both(
-      executor, [&] { graph = make_graph(); }, [&] { outlines = std::make_shared<const Outlines>(world); });
-  return {world, vehicle, queries, {vehicle, options.radii}, std::move(graph), std::move(outlines)};
+      executor, [&] { graph = make_graph(); }, [&] { outlines = outlines_of(world, before); });
+  if (!before) return {world, vehicle, queries, {vehicle, options.radii}, std::move(graph), std::move(outlines)};
+  const RoadmapBefore roadmap{before->maps.all.plain, before->change.may_differ};
+  return {world, vehicle, queries, {vehicle, options.radii}, std::move(graph), std::move(outlines), &roadmap};
 }
 
 // The mode that suits the backend, unless the options name one.
@@ -160,7 +173,7 @@ struct Planner::Data {
         rows(std::move(reduced.rows)),
         maps(make_map(
                  world, vehicle, motion_queries(world, b), options, [&] { return make_feasible(rows, options); },
-                 executor),
+                 executor, maps_before),
              b.queries().sweep, options, rows, executor, maps_before),
         scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
     prepare_statistics.visibility_seconds = reduced.seconds;
@@ -336,7 +349,7 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
 Planner Planner::with_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) const {
   const std::vector<ObstacleId> ids = obstacles_with(world(), removed);
   const World after = world().changed(ids, added);
-  const WorldChange change(world(), after, ids);
+  const WorldChange change = WorldChange::unchecked(world(), after, ids);
   return changed(*this, change, data_->backend.changed(after, change), data_->given);
 }
 

@@ -44,14 +44,18 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
   if (plain.one_way_zones) {
     Roadmap reverse = plain;
     reverse.queries.sweep = obeying(obstacles, plain.one_way_zones, Gear::kReverse);
-    auto lazy = graphs(reverse, plain.radii, before && before->maps.backwards ? &*before->maps.backwards : nullptr);
-    backwards.emplace(preferring(reverse.with_graph(std::move(lazy), plain.radii), clearance_cost));
+    backwards.emplace(preferring(
+        graphs.map_of(reverse, plain.radii, before && before->maps.backwards ? &*before->maps.backwards : nullptr),
+        clearance_cost));
   }
   const std::size_t tightest_count = plain.radii.tightest(plain.vehicle.footprint(plain.vehicle.safety_margin()));
   if (tightest_count < plain.radii.size()) {
     const CircleRadii smallest = plain.radii.first(tightest_count);
-    auto lazy = graphs(plain, smallest, before && before->maps.tightest ? &before->maps.tightest->plain : nullptr);
-    tightest.emplace(preferring(plain.with_graph(std::move(lazy), smallest), clearance_cost), options.gap_circles);
+    tightest.emplace(
+        preferring(
+            graphs.map_of(plain, smallest, before && before->maps.tightest ? &before->maps.tightest->plain : nullptr),
+            clearance_cost),
+        options.gap_circles);
     other = OtherMaps(plain, tightest->plain, routes_of_strategy(), graphs, before ? &before->maps.other : nullptr);
   }
   if (options.point_robot_lower_bound && plain.vehicle.body().covers_reference())

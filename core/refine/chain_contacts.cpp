@@ -325,12 +325,13 @@ void ChainContacts::find_near(const ArcChain& chain, std::uint32_t part, const W
                               double reach) {
   const Box near = box_of(chain, part).grown(reach);
   near_.clear();
-  outlines.visit_if([&near](const Box& box) { return box.overlaps(near); },
-                    [this](const Outlines::Piece& piece) {
-                      for (std::size_t k = 0; k < piece.edge_count(); ++k)
-                        near_.push_back(piece.first + static_cast<VertexId>(k));
-                      return true;
-                    });
+  // Sums over contacts round by their order.
+  outlines.as_new().visit_if([&near](const Box& box) { return box.overlaps(near); },
+                             [this](const Outlines::Piece& piece) {
+                               for (std::size_t k = 0; k < piece.edge_count(); ++k)
+                                 near_.push_back(piece.first + static_cast<VertexId>(k));
+                               return true;
+                             });
   for (const VertexId v : near_) {
     if (part % 2 == 1) add_edges(chain, part / 2, world, v, reach);
     if (world.is_convex(v) && near.contains(world.vertex(v))) add_sight(chain, part, world, v);

@@ -84,7 +84,8 @@ void RouteField::lay_out(const Roadmap& map, std::size_t most_cells) {
   Box box;
   const auto extend = [&](const Vec2& p) { box.extend(in_grid(p)); };
   for (std::uint32_t i = 0; i < map.outlines->size(); ++i)
-    for (const Vec2& p : (*map.outlines)[i].points) extend(p);
+    if (map.outlines->has(i))
+      for (const Vec2& p : (*map.outlines)[i].points) extend(p);
   extend(frame_.position());
   extend(to_.position());
   const double around = kAround * (map.body.length() + map.vehicle.min_turning_radius());
@@ -101,6 +102,7 @@ void RouteField::lay_out(const Roadmap& map, std::size_t most_cells) {
 void RouteField::add_walls(const Roadmap& map, const StopClock& clock) {
   StopTicker ticker(clock);
   for (std::uint32_t i = 0; i < map.outlines->size() && !ticker.is_over(); ++i) {
+    if (!map.outlines->has(i)) continue;
     const Outlines::Piece piece = (*map.outlines)[i];
     for (std::size_t k = 0; k < piece.edge_count(); ++k) add_wall(piece.points[k], piece.points[k + 1]);
   }

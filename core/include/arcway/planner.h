@@ -181,7 +181,8 @@ class ARCWAY_API Planner {
 
   /// A planner for the map without some obstacles, and with others after its last one. It plans as a planner built anew
   /// with the same options, bit for bit, and keeps what was found far from the change: see `changed`. This planner
-  /// stays as it is; to change it in place, assign the result to it.
+  /// stays as it is; to change it in place, assign the result to it. Arrays of a planner that is gone are used again,
+  /// in time that depends on what differs between the two maps.
   ///
   ///     const std::vector<ObstacleKey> gone{planner.world().key_of(3)};
   ///     planner = planner.with_obstacles(gone, {Polygon::rectangle({12, 7}, 2.0, 1.0)});

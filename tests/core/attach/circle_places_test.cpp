@@ -6,10 +6,17 @@
 #include <memory>
 #include <vector>
 
+#include "arcway/backend.h"
 #include "arcway/datasets/clutter.h"
+#include "arcway/datasets/map_file.h"
 #include "arcway/planner.h"
+#include "arcway/world_change.h"
 #include "core/gaps/gap_circles.h"
+#include "core/model/vertex_map.h"
 #include "core/roadmap/feasible_graph.h"
+#include "core/roadmap/feasible_graph_inputs.h"
+#include "core/roadmap/lazy_feasible_graph.h"
+#include "tests/support/nasty_worlds.h"
 
 namespace arcway::internal {
 namespace {
@@ -41,9 +48,10 @@ TEST(CirclePlaces, HoldEachCircleOnce) {
         Vec2(0, 0), [](const Box&) { return true; },
         [&](const Outlines::Piece& piece, std::uint32_t index) {
           EXPECT_EQ(piece.first, (*outlines)[index].first);
-          for (const CirclePlaces::Group& group : places.groups(index)) {
+          const CirclePlaces::Circles here = places.of(index);
+          for (const CirclePlaces::Group& group : here.groups) {
             double least = 1e9, most = 0.0;
-            for (const std::uint32_t c : places.circles(group)) {
+            for (const std::uint32_t c : here.of(group)) {
               const TurnCircle& circle = circles.all()[c];
               found.push_back(c);
               EXPECT_GE(circle.vertex, piece.first);
@@ -83,6 +91,89 @@ TEST(CirclePlaces, LieWithTheirPieces) {
     }
     EXPECT_LT(seen.size(), world.vertices().size());
   }
+}
+
+// A lazy graph of a world, and what it is made of.
+struct Circles {
+  explicit Circles(const World& w)
+      : world(w),
+        vehicle({.length = 0.3, .width = 0.16, .wheelbase = 0.26, .safety_margin = 0.01}),
+        rows(rows_of(world, *reference_backend(world).reduced_graph())),
+        graph(std::make_shared<const LazyFeasibleGraph>(
+            FeasibleGraphInputs{world, vehicle, rows, make_reference_queries(world), {vehicle, {0.3, 0.9}}},
+            SerialExecutor())) {}
+
+  World world;
+  Vehicle vehicle;
+  std::shared_ptr<const VisibilityRows> rows;
+  std::shared_ptr<const FeasibleGraph> graph;
+};
+
+// Vertices with other neighbors than before a change, or new ones.
+std::vector<VertexId> differing(const Circles& before, const Circles& after, const VertexMap& map) {
+  std::vector<VertexId> differ;
+  for (const VertexId v : after.world.convex_vertices()) {
+    const VertexId was = map.before(v);
+    if (was == kNone ||
+        !std::ranges::equal(before.rows->of(was), after.rows->of(v), {}, [&](VertexId w) { return map.after(w); }))
+      differ.push_back(v);
+  }
+  return differ;
+}
+
+// Each circle is found once, by any box that it meets.
+void expect_right(const CirclePlaces& places, const TurnCircles& circles) {
+  for (const TurnCircle& of_query : circles.all()) {
+    if (of_query.vertex % 5 != 0) continue;
+    const Box query{of_query.center, of_query.center};
+    std::vector<std::uint32_t> found;
+    places.visit_near_first(
+        query.min, [&](const Box& box) { return box.overlaps(query); },
+        [&](const Outlines::Piece& piece, std::uint32_t index) {
+          EXPECT_EQ(piece.first, places.outlines()[index].first);
+          const CirclePlaces::Circles here = places.of(index);
+          for (const CirclePlaces::Group& group : here.groups)
+            for (const std::uint32_t c : here.of(group)) {
+              found.push_back(c);
+              EXPECT_TRUE(piece.first <= circles.all()[c].vertex &&
+                          circles.all()[c].vertex < piece.first + piece.edge_count());
+            }
+        });
+    std::ranges::sort(found);
+    EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+    for (std::uint32_t c = 0; c < circles.all().size(); ++c) {
+      const Vec2 half(circles.all()[c].radius, circles.all()[c].radius);
+      if (!Box{circles.all()[c].center - half, circles.all()[c].center + half}.overlaps(query)) continue;
+      ASSERT_TRUE(std::ranges::binary_search(found, c)) << c;
+    }
+  }
+}
+
+TEST(CirclePlaces, AfterChangesHoldTheCirclesOfNewOnes) {
+  std::size_t changes = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomInputs random(seed);
+    Circles before(test::nasty_world(seed, 50));
+    auto outlines = std::make_shared<const Outlines>(before.world);
+    CirclePlaces places(before.graph->turn_circles(), outlines);
+    for (int step = 0; step < 3; ++step) {
+      std::vector<ObstacleId> removed;
+      for (ObstacleId o = 0; o < before.world.obstacle_count(); ++o)
+        if (random.integer(0, 40) == 0) removed.push_back(o);
+      const Circles after(before.world.changed(removed, to_map_file(test::nasty_world(random.bits(), 2)).obstacles));
+      const VertexMap map(WorldChange(before.world, after.world, removed));
+      if (!outlines->can_change(map)) break;
+      outlines = std::make_shared<const Outlines>(*outlines, after.world, map);
+      places = CirclePlaces(places, after.graph, outlines, differing(before, after, map));
+      expect_right(places, after.graph->turn_circles());
+      expect_right(CirclePlaces(after.graph->turn_circles(), outlines), after.graph->turn_circles());
+      if (HasFatalFailure()) return;
+      before = after;
+      ++changes;
+    }
+  }
+  EXPECT_GT(changes, 30u);
 }
 
 }  // namespace

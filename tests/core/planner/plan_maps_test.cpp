@@ -158,7 +158,7 @@ TEST_P(SeveralRadii, GraphsKeepWhatWasFoundBeforeAChange) {
   const LazyGraphs::Change what{change, may_differ};
   const Roadmap anew = lazy_map(after, tightest);
   const LazyGraphs graphs(after.visibility_rows(), SerialExecutor(), &what);
-  const auto graph = graphs(anew, tightest, &before);
+  const auto graph = graphs.map_of(anew, tightest, &before).graph;
   const auto known_rows = [](const FeasibleGraph& g) {
     std::size_t known = 0;
     for (std::uint32_t c = 0; c < g.circles().size(); ++c) known += g.known_row(c) ? 1 : 0;
@@ -167,8 +167,8 @@ TEST_P(SeveralRadii, GraphsKeepWhatWasFoundBeforeAChange) {
   EXPECT_GT(known_rows(*graph), anew.graph->circles().size() / 10);
   for (std::uint32_t c = 0; c < anew.graph->circles().size(); ++c)
     test::expect_same(graph->links_from(c), anew.graph->links_from(c));
-  EXPECT_EQ(known_rows(*graphs(anew, tightest, nullptr)), 0u);
-  EXPECT_EQ(known_rows(*graphs(anew, planner_.options().radii, &before)), 0u) << "of other radii";
+  EXPECT_EQ(known_rows(*graphs.map_of(anew, tightest, nullptr).graph), 0u);
+  EXPECT_EQ(known_rows(*graphs.map_of(anew, planner_.options().radii, &before).graph), 0u) << "of other radii";
 }
 
 TEST_P(SeveralRadii, NoOtherWayIsLookedForTwice) {
