@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -189,21 +188,25 @@ void TurnCircles::group_more() {
 
 TurnCircles::VertexBuckets TurnCircles::vertex_buckets(std::size_t first, std::size_t last,
                                                        std::span<const Side> sides) const {
+  std::vector<std::pair<VertexId, std::uint32_t>> all;
+  for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {
+    if (std::ranges::find(sides, circles_[c].side) == sides.end()) continue;
+    for (const VertexId v : {circles_[c].vertex, circles_[c].second})
+      if (v != kNone) all.emplace_back(v, c);
+  }
   VertexBuckets result;
-  if (first == last) return result;
-  result.starts.assign(first_.size() + 1, 0);
-  const auto visit = [&](auto&& see) {
-    for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {
-      if (std::ranges::find(sides, circles_[c].side) == sides.end()) continue;
-      for (const VertexId v : {circles_[c].vertex, circles_[c].second})
-        if (v != kNone) see(v, c);
+  if (all.empty()) return result;
+  std::ranges::sort(all);
+  result.has_some.resize(first_.size() / 64 + 1);
+  for (const auto& [v, c] : all) {
+    if (result.vertices.empty() || result.vertices.back() != v) {
+      result.vertices.push_back(v);
+      result.starts.push_back(result.circles.size());
+      result.has_some[v / 64] |= std::uint64_t{1} << (v % 64);
     }
-  };
-  visit([&](VertexId v, std::uint32_t) { ++result.starts[v + 1]; });
-  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
-  result.circles.resize(result.starts.back());
-  HugeVector<std::uint64_t> next(result.starts.begin(), result.starts.end() - 1);
-  visit([&](VertexId v, std::uint32_t c) { result.circles[next[v]++] = c; });
+    result.circles.push_back(c);
+  }
+  result.starts.push_back(result.circles.size());
   return result;
 }
 

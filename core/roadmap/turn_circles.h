@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,9 +35,9 @@ class TurnCircles {
               const Executor& executor);
 
   /// The base circles of a world after a change, from those before it, of the same radii and body: the same as made
-  /// anew. It asks for rows of close vertices that may have other neighbors only. It takes the arrays of circles that are
-  /// gone and came from the same ones by changes. What follows the first vertex that only one of the two worlds has is
-  /// made again.
+  /// anew. It asks for rows of close vertices that may have other neighbors only. It takes the arrays of circles that
+  /// are gone and came from the same ones by changes. What follows the first vertex that only one of the two worlds has
+  /// is made again.
   /// @param rows  of the world after the change.
   /// @param may_differ  see VisibilityRows::Changed.
   TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after, const VisibilityRows& rows,
@@ -97,13 +98,16 @@ class TurnCircles {
   }
 
  private:
-  // Circles grouped by vertex, as a bucket index.
+  // Circles grouped by vertex, as a bucket index of the few vertices that have some.
   struct VertexBuckets {
     [[nodiscard]] std::span<const std::uint32_t> of(VertexId v) const {
-      return starts.empty() ? std::span<const std::uint32_t>()
-                            : std::span(circles).subspan(starts[v], starts[v + 1] - starts[v]);
+      if (has_some.empty() || (has_some[v / 64] >> (v % 64) & 1) == 0) return {};
+      const auto at = static_cast<std::size_t>(std::ranges::lower_bound(vertices, v) - vertices.begin());
+      return std::span(circles).subspan(starts[at], starts[at + 1] - starts[at]);
     }
-    HugeVector<std::uint64_t> starts;
+    HugeVector<std::uint64_t> has_some;  // one bit a vertex; empty: none has circles
+    std::vector<VertexId> vertices;      // that have some, ascending
+    std::vector<std::size_t> starts;     // one more
     std::vector<std::uint32_t> circles;
   };
   struct PairRule;
