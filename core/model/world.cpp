@@ -76,8 +76,8 @@ struct World::Data {
   // Gives its arrays to the next change when it is gone.
   static std::shared_ptr<const Data> shared(std::unique_ptr<Data> data) {
     return {data.release(), [](Data* gone) {
-              const std::shared_ptr<Spare<Data>> spare = std::move(gone->spare);
-              spare->give(std::unique_ptr<Data>(gone));
+              const std::shared_ptr<Spare<Data>> receiver = std::move(gone->spare);
+              receiver->give(std::unique_ptr<Data>(gone));
             }};
   }
 
