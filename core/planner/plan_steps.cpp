@@ -147,13 +147,14 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const Roadmap* slim = query_.maps.slim(step.body, clock);
   if (!slim) return;
   const Pose& goal = query_.request.goal;
+  const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
     const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock,
                                       {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()});
-    auto free = push_free(shorter, goal, map_.body, map_, clock);
+    auto free = push_free(shorter, goal, space, clock);
     if (free || length_of(shorter) == length_of(path)) return free;
-    return push_free(path, goal, map_.body, map_, clock);
+    return push_free(path, goal, space, clock);
   };
   const TreeLimits limits{.poses = tree_poses_,
                           .passes = step.passes,

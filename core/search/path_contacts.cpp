@@ -82,7 +82,8 @@ PathContacts::Step PathContacts::step_at(const PathSegment& motion, double at) {
 }
 
 PathContacts::End PathContacts::end_at(const PathSegment& motion, const Step& step) {
-  const Vec2 ahead = direction_of(motion.start.heading), bend = end_by_curvature(motion.curvature, step.at);
+  const Vec2 ahead = direction_of(motion.start.heading);
+  const Vec2 bend = end_by_curvature(motion.curvature, sign_of(motion.gear) * step.at);
   return {step.place, step.ahead, bend.x() * ahead + bend.y() * perpendicular(ahead)};
 }
 
@@ -139,13 +140,15 @@ PathContacts::Step PathContacts::deepest(const PathSegment& motion, const LineSe
   return step_at(motion, best);
 }
 
-// How a value of a later pose changes with the curvature and with the length of a motion.
-// Many parameters because they are the motion, its end, and the value's two derivatives.
-std::array<double, 2> PathContacts::by_motion(double curvature, double length, const End& end, const Vec2& place,
-                                              const Vec2& by_place, double by_turn) const {
+// How a value of a later pose changes with the curvature and with the length of a motion. Backwards, lengths are
+// negative.
+// Many parameters because they are the part of the motion, its end, and the value's two derivatives.
+std::array<double, 2> PathContacts::by_motion(const PathSegment& motion, double length, const End& end,
+                                              const Vec2& place, const Vec2& by_place, double by_turn) const {
   const double turned = by_place.dot(perpendicular(Vec2(place - end.place))) + by_turn;
-  return {(by_place.dot(end.by_curvature) + turned * length) / (unit_ * unit_),
-          by_place.dot(end.ahead) + turned * curvature};
+  const double sign = sign_of(motion.gear);
+  return {(by_place.dot(end.by_curvature) + turned * sign * length) / (unit_ * unit_),
+          sign * (by_place.dot(end.ahead) + turned * motion.curvature)};
 }
 
 void PathContacts::add_contact(std::size_t i, const Step& step, const BodyContact& contact) {
@@ -153,7 +156,7 @@ void PathContacts::add_contact(std::size_t i, const Step& step, const BodyContac
   gradients_.resize(first + 2 * motions_.size(), 0.0);
   const auto add = [&](std::size_t j, double length, const End& end, double share) {
     const auto [by_curvature, by_length] =
-        by_motion(motions_[j].curvature, length, end, step.place, contact.by_place, contact.by_turn);
+        by_motion(motions_[j], length, end, step.place, contact.by_place, contact.by_turn);
     gradients_[first + 2 * j] = by_curvature;
     gradients_[first + 2 * j + 1] = share * by_length;
   };
@@ -185,9 +188,9 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> PathContacts::end_gradients(const std::
   for (std::size_t j = 0; j < motions.size(); ++j) {
     const PathSegment& m = motions[j];
     const End end = end_at(m, step_at(m, m.length));
-    const auto x = by_motion(m.curvature, m.length, end, place, Vec2(1.0, 0.0), 0.0);
-    const auto y = by_motion(m.curvature, m.length, end, place, Vec2(0.0, 1.0), 0.0);
-    const auto turn = by_motion(m.curvature, m.length, end, place, Vec2(0.0, 0.0), unit_);
+    const auto x = by_motion(m, m.length, end, place, Vec2(1.0, 0.0), 0.0);
+    const auto y = by_motion(m, m.length, end, place, Vec2(0.0, 1.0), 0.0);
+    const auto turn = by_motion(m, m.length, end, place, Vec2(0.0, 0.0), unit_);
     for (const std::size_t k : {0, 1})
       by.col(static_cast<Eigen::Index>(2 * j + k)) = Eigen::Vector3d(x[k], y[k], turn[k]);
   }

@@ -26,7 +26,7 @@ class PathContacts {
   /// Looks along a path: for each motion and edge, the contacts that are deepest around, found between steps of the
   /// path by golden sections. The last three residuals are the way from the goal, times `kEndWeight`. O(steps x edges
   /// near by + contacts x motions).
-  /// @param motions  driven forwards, not empty; each begins where the one before ends.
+  /// @param motions  not empty; each begins where the one before ends.
   void look_along(const std::vector<PathSegment>& motions, const Pose& goal);
 
   static constexpr double kEndWeight = 100.0;
@@ -62,8 +62,8 @@ class PathContacts {
   [[nodiscard]] Step deepest(const PathSegment& motion, const LineSegment& edge, double low, double high) const;
   void add_contact(std::size_t i, const Step& step, const BodyContact& contact);
   void add_end(const Pose& goal);
-  [[nodiscard]] std::array<double, 2> by_motion(double curvature, double length, const End& end, const Vec2& place,
-                                                const Vec2& by_place, double by_turn) const;
+  [[nodiscard]] std::array<double, 2> by_motion(const PathSegment& motion, double length, const End& end,
+                                                const Vec2& place, const Vec2& by_place, double by_turn) const;
 
   const Outlines& outlines_;
   Footprint body_;

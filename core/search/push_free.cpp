@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -18,11 +19,13 @@ namespace arcway::internal {
 
 namespace {
 
-// Lengths are in lengths of the body. A path of some tens of parts takes some milliseconds.
-constexpr double kLongestPart = 1.0;  // longest part with one curvature; doubled until kMostParts are enough
+// Lengths are in lengths of the body. A path of some tens of parts takes 4 to 80 ms.
+constexpr double kLongestPart = 0.5;  // longest part with one curvature; doubled until kMostParts are enough
 constexpr std::size_t kMostParts = 48;
 constexpr double kRoom = 2e-4;         // beside the body that is asked for, as contacts are found by rounding numbers
 constexpr double kMostDepth = 1.5e-4;  // of contacts with the body and that room that are none with the body
+constexpr double kNearDepth = 3e-4;    // of contacts of a path that is worth a question to the sweep query
+constexpr double kMostLonger = 2.0;    // largest ratio of a path's length to that at first and a body's
 constexpr double kEndError = 1e-9;     // [body lengths or rad]
 constexpr int kEndIterations = 4;      // of Newton's method, to end at the goal
 constexpr int kMostIterations = 160;
@@ -34,12 +37,16 @@ constexpr double kSofter = 0.1, kHarder = 10.0;  // after a step that was better
 
 class Pusher {
  public:
-  Pusher(const Path& path, const Pose& goal, const Outlines& outlines, Footprint body, const SideRadii& radii)
-      : start_(path.front().start), goal_(goal), contacts_(outlines, body.grown(kRoom * body.length())), radii_(radii) {
+  Pusher(const Path& path, const Pose& goal, const PushSpace& space)
+      : start_(path.front().start),
+        goal_(goal),
+        contacts_(space.outlines, space.body.grown(kRoom * space.body.length())),
+        radii_(space.vehicle),
+        longest_(length_of(path) + contacts_.unit()) {
     for (double longest = kLongestPart * contacts_.unit(); parts_.empty(); longest *= 2.0) {
       for (const PathSegment& s : path) {
         const int count = std::max(1, static_cast<int>(std::ceil(s.length / longest)));
-        for (int i = 0; i < count; ++i) parts_.push_back({s.curvature, s.length / count, false});
+        for (int i = 0; i < count; ++i) parts_.push_back({s.curvature, s.length / count, s.gear, s.is_line()});
       }
       if (parts_.size() > std::max(kMostParts, path.size())) parts_.clear();
     }
@@ -50,16 +57,18 @@ class Pusher {
     if (parts_.size() > 2 * kMostParts) return std::nullopt;
     double damping = kFirstDamping, before_patience = std::numeric_limits<double>::infinity();
     double square_sum = look(parts_);
-    for (int iteration = 0; iteration < kMostIterations && damping <= kMostDamping && !clock.is_over(); ++iteration) {
+    for (int iteration = 0; iteration < kMostIterations && !clock.is_over(); ++iteration) {
       if (is_free()) {
         if (!straighten()) return path();
         square_sum = look(parts_);
         before_patience = std::numeric_limits<double>::infinity();
       }
-      if (iteration % kPatience == 0) {
-        if (square_sum > kSlowest * before_patience) break;
-        before_patience = square_sum;
+      const bool is_patience_over = iteration % kPatience == 0;
+      if (damping > kMostDamping || (is_patience_over && square_sum > kSlowest * before_patience)) {
+        if (!bend_lines()) break;
+        damping = kFirstDamping;
       }
+      if (is_patience_over) before_patience = square_sum;
       const LinearResiduals residuals = contacts_.residuals();
       std::vector<Part> tried = parts_;
       change(tried, hinge_step(residuals, limits(), damping, kStepIterations));
@@ -74,12 +83,14 @@ class Pusher {
         look(parts_);
       }
     }
+    if (is_nearly_free()) return path();
     return std::nullopt;
   }
 
  private:
   struct Part {
     double curvature, length;
+    Gear gear;
     bool is_line;  // stays one
   };
 
@@ -87,17 +98,34 @@ class Pusher {
     std::vector<PathSegment> motions;
     Pose pose = start_;
     for (const Part& p : parts) {
-      motions.push_back({pose, p.length, p.curvature});
+      motions.push_back({pose, p.length, p.curvature, p.gear});
       pose = motions.back().end();
     }
     return motions;
   }
 
+  // The sum of squares; infinite for a path that has become so long that looking along it would take long.
   double look(const std::vector<Part>& parts) {
+    const double length = std::accumulate(parts.begin(), parts.end(), 0.0,
+                                          [](double sum, const Part& part) { return sum + part.length; });
+    if (length > kMostLonger * longest_) return std::numeric_limits<double>::infinity();
     contacts_.look_along(motions_of(parts), goal_);
     return contacts_.square_sum();
   }
   [[nodiscard]] bool is_free() const { return contacts_.deepest() < kMostDepth && contacts_.off_goal() <= kEndError; }
+
+  // The sweep query is asked all the same: where the path begins or ends there may be less room.
+  [[nodiscard]] bool is_nearly_free() const {
+    return contacts_.deepest() < kNearDepth && contacts_.off_goal() <= kEndError;
+  }
+
+  // Lets lines become arcs; false if they may already.
+  bool bend_lines() {
+    if (std::exchange(are_lines_bent_, true)) return false;
+    bool any = false;
+    for (Part& part : parts_) any = std::exchange(part.is_line, false) || any;
+    return any;
+  }
 
   [[nodiscard]] StepLimits limits() const {
     const auto n = static_cast<Eigen::Index>(2 * parts_.size());
@@ -149,7 +177,7 @@ class Pusher {
     for (Part& part : parts_) {
       if (part.is_line || std::abs(part.curvature) * radii_.on(part.curvature) * kWidestTurn >= 1.0) continue;
       any = any || part.curvature != 0.0;
-      part = {0.0, part.length, true};
+      part = {0.0, part.length, part.gear, true};
     }
     return any;
   }
@@ -164,14 +192,15 @@ class Pusher {
   PathContacts contacts_;
   SideRadii radii_;  // the smallest ones
   std::vector<Part> parts_;
+  double longest_;  // length at first, and some more [m]
+  bool are_lines_bent_ = false;
 };
 
 }  // namespace
 
-std::optional<Path> push_free(const Path& path, const Pose& goal, const Body& body, const Roadmap& map,
-                              const StopClock& clock) {
-  std::optional<Path> free = Pusher(path, goal, *map.outlines, body, SideRadii(map.vehicle)).run(clock);
-  if (free && !motion_free(*map.queries.sweep, body, *free)) free.reset();
+std::optional<Path> push_free(const Path& path, const Pose& goal, const PushSpace& space, const StopClock& clock) {
+  std::optional<Path> free = Pusher(path, goal, space).run(clock);
+  if (free && !motion_free(space.sweep, space.body, *free)) free.reset();
   return free;
 }
 

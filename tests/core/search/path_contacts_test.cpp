@@ -19,13 +19,14 @@ std::vector<PathSegment> chain(const Pose& start, const std::vector<PathSegment>
   std::vector<PathSegment> path;
   Pose pose = start;
   for (const PathSegment& m : motions) {
-    path.push_back({pose, m.length, m.curvature});
+    path.push_back({pose, m.length, m.curvature, m.gear});
     pose = path.back().end();
   }
   return path;
 }
 
-const std::vector<PathSegment> kMotions{{{}, 1.7, 0.1}, {{}, 2.2, 0.4}, {{}, 1.3, -0.7}, {{}, 2.0, 1e-6}};
+const std::vector<PathSegment> kMotions{
+    {{}, 1.7, 0.1}, {{}, 2.2, 0.4}, {{}, 1.3, -0.7, Gear::kReverse}, {{}, 2.0, 1e-6}};
 
 // Compares the gradients with differences of the end as each part changes a little.
 TEST(PathContacts, EndGradientsAreThoseOfTheEnd) {
@@ -50,30 +51,32 @@ TEST(PathContacts, EndGradientsAreThoseOfTheEnd) {
 
 // A post that a side touches in the middle of an arc: its depth changes with what comes before, as its gradient says.
 TEST(PathContacts, GradientsAreThoseOfTheDeepestContact) {
-  const std::vector<PathSegment> motions{{{}, 2.0, 0.3}, {{}, 3.0, -0.2}};
-  const std::vector<PathSegment> path = chain({0.0, 0.0, 0.0}, motions);
-  const Pose middle = path[1].at(1.5);
-  const Vec2 left = perpendicular(direction_of(middle.heading));
-  const Vec2 tip = middle.position() + 0.48 * left;
-  const World world({{{tip, tip + left + 0.1 * direction_of(middle.heading), tip + left}, {}}});
-  const Outlines outlines(world);
-  PathContacts contacts(outlines, kPathBody);
-  const auto deepest_of = [&](const std::vector<PathSegment>& of) {
-    contacts.look_along(chain({0.0, 0.0, 0.0}, of), path.back().end());
-    Eigen::Index row = 0;
-    contacts.residuals().values.head(contacts.residuals().values.size() - 3).maxCoeff(&row);
-    return row;
-  };
-  const Eigen::Index row = deepest_of(motions);
-  const LinearResiduals at = contacts.residuals();
-  ASSERT_GT(at.values(row), 0.0);
-  constexpr double kChange = 1e-4;
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::vector<PathSegment> changed = motions;
-    if (i % 2 == 0) changed[i / 2].curvature += kChange / contacts.unit();
-    if (i % 2 == 1) changed[i / 2].length += kChange * contacts.unit();
-    const double now = contacts.residuals().values(deepest_of(changed));
-    EXPECT_NEAR((now - at.values(row)) / kChange, at.gradients(row, static_cast<Eigen::Index>(i)), 0.05) << i;
+  for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+    const std::vector<PathSegment> motions{{{}, 2.0, 0.3, gear}, {{}, 3.0, -0.2, gear}};
+    const std::vector<PathSegment> path = chain({0.0, 0.0, 0.0}, motions);
+    const Pose middle = path[1].at(1.5);
+    const Vec2 left = perpendicular(direction_of(middle.heading));
+    const Vec2 tip = middle.position() + 0.48 * left;
+    const World world({{{tip, tip + left + 0.1 * direction_of(middle.heading), tip + left}, {}}});
+    const Outlines outlines(world);
+    PathContacts contacts(outlines, kPathBody);
+    const auto deepest_of = [&](const std::vector<PathSegment>& of) {
+      contacts.look_along(chain({0.0, 0.0, 0.0}, of), path.back().end());
+      Eigen::Index row = 0;
+      contacts.residuals().values.head(contacts.residuals().values.size() - 3).maxCoeff(&row);
+      return row;
+    };
+    const Eigen::Index row = deepest_of(motions);
+    const LinearResiduals at = contacts.residuals();
+    ASSERT_GT(at.values(row), 0.0);
+    constexpr double kChange = 1e-4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::vector<PathSegment> changed = motions;
+      if (i % 2 == 0) changed[i / 2].curvature += kChange / contacts.unit();
+      if (i % 2 == 1) changed[i / 2].length += kChange * contacts.unit();
+      const double now = contacts.residuals().values(deepest_of(changed));
+      EXPECT_NEAR((now - at.values(row)) / kChange, at.gradients(row, static_cast<Eigen::Index>(i)), 0.05) << i;
+    }
   }
 }
 
