@@ -64,7 +64,22 @@ struct GearMoveText {
   }
   std::string operator()(const RefineRuns&) const { return "refine what lies between as if it were driven forwards"; }
   std::string operator()(const SlideCusps&) const { return "move and turn the pose of each, by steps that are halved"; }
+  std::string operator()(const DropGearChanges& move) const {
+    return "leave out what lies between two, and push " + std::to_string(move.runs_beside) +
+           " parts on either side free and to the goal by least squares";
+  }
 };
+
+std::string gear_text_of(Stage stage) {
+  switch (stage) {
+    case Stage::kFinish:
+      return "once, last";
+    case Stage::kEscape:
+      return "at the end, and on the path before refinement; if it helps, from the first move on";
+    default:
+      return "each once, in rounds";
+  }
+}
 
 std::string text_of(Stage stage) {
   switch (stage) {
@@ -123,9 +138,8 @@ Section gear_moves_section(const Results& results) {
                   .figures = {},
                   .table = {{"move", "taken", "what it does", "without it: both gears"}, {}, 3}};
   for (const GearMoveRow& row : kGearMoves)
-    section.table.rows.push_back({std::string(row.name),
-                                  row.stage == Stage::kFinish ? text_of(row.stage) : "each once, in rounds",
-                                  std::visit(GearMoveText{}, row.move), without(results, "both gears", row.name)});
+    section.table.rows.push_back({std::string(row.name), gear_text_of(row.stage), std::visit(GearMoveText{}, row.move),
+                                  without(results, "both gears", row.name)});
   return section;
 }
 

@@ -18,6 +18,7 @@
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "core/refine/moves.h"
+#include "core/search/push_free.h"
 #include "core/zones/speed_zones.h"
 
 namespace arcway::internal {
@@ -39,6 +40,7 @@ class ReversingRefiner {
         sweep_(query.sweep),
         sweep_backwards_(query.sweep_backwards != nullptr ? *query.sweep_backwards : query.sweep),
         changes_(changes),
+        goal_(query.goal),
         options_(query.options),
         clock_(query.clock),
         world_(query.world),
@@ -55,14 +57,44 @@ class ReversingRefiner {
 
   void run() {
     most_trials_ = static_cast<std::uint32_t>(kGearRoundsShare * options_.max_trials);
-    for (int round = 0; round < kMostGearRounds && !done(); ++round)
-      if (!take_all(Stage::kImprove, round)) break;
+    const Path unrefined = result_.path;
+    improve();
     most_trials_ = options_.max_trials;
     take_all(Stage::kFinish, 0);
+    escape();
+    begin_again(unrefined);
     result_.travel_time = travel_time(result_.path, vehicle_, ends_, profile_, zones_);
   }
 
  private:
+  // Leads to an optimum of the moves that are tried in rounds.
+  void improve() {
+    for (int round = 0; round < kMostGearRounds && !done(); ++round)
+      if (!take_all(Stage::kImprove, round)) break;
+  }
+
+  // Leaves out gear changes at the optimum of the other moves, and improves what remains.
+  void escape() {
+    for (int i = 0; i < kMostGearEscapes && !done() && take_all(Stage::kEscape, i); ++i) improve();
+  }
+
+  // Leaves out gear changes of the path before refinement, and refines what remains. Refined turns are as tight as
+  // allowed, and so cannot be pushed as far.
+  void begin_again(const Path& unrefined) {
+    if (done() || cusps_of(result_.path) < 2) return;
+    Path best = std::exchange(result_.path, unrefined);
+    const double best_cost = std::exchange(cost_, kInfinity);
+    cost_ = cost_of(unrefined);
+    take_all(Stage::kEscape, 0);
+    if (cusps_of(result_.path) < cusps_of(best)) {
+      improve();
+      escape();
+    }
+    if (cost_ < best_cost) return;
+    result_.path = std::move(best);
+    cost_ = best_cost;
+  }
+
   // A place on the path.
   struct Station {
     std::size_t segment;
@@ -313,6 +345,70 @@ class ReversingRefiner {
     return motion_free(sweep_, body_, motion);
   }
 
+  // What lies between two cusps, or between a cusp and an end.
+  struct Run {
+    std::size_t first, end;  // segments
+    double length;
+  };
+
+  [[nodiscard]] std::vector<Run> runs() const {
+    const Path& path = result_.path;
+    std::vector<Run> found;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (i == 0 || path[i].gear != path[i - 1].gear) found.push_back({i, i, 0.0});
+      found.back().end = i + 1;
+      found.back().length += path[i].length;
+    }
+    return found;
+  }
+
+  // Leaves out runs, the shortest first.
+  bool take(const DropGearChanges& move) {
+    if (outlines_ == nullptr) return false;
+    const double longest = move.longest * (vehicle_.min_turning_radius() + vehicle_.footprint().length());
+    bool changed = false;
+    std::size_t failed = 0;
+    double shortest = 0.0;  // shorter ones have been tried
+    while (!done() && failed < move.most_failed) {
+      const std::vector<Run> all = runs();
+      const auto next = next_run(all, shortest);
+      if (!next || all[*next].length > longest) break;
+      shortest = all[*next].length;
+      if (drop_run(move, all, *next)) {
+        changed = true;
+      } else {
+        ++failed;
+      }
+    }
+    return changed;
+  }
+
+  // The shortest run between two gear changes that is longer than a length.
+  [[nodiscard]] static std::optional<std::size_t> next_run(const std::vector<Run>& runs, double length) {
+    std::optional<std::size_t> next;
+    for (std::size_t i = 1; i + 1 < runs.size(); ++i)
+      if (runs[i].length > length && (!next || runs[i].length < runs[*next].length)) next = i;
+    return next;
+  }
+
+  // Replaces some runs by all but one of them, pushed free.
+  bool drop_run(const DropGearChanges& move, const std::vector<Run>& all, std::size_t number) {
+    ++result_.trials;
+    const Path& old = result_.path;
+    const std::size_t first = all[number - std::min(number, move.runs_beside)].first;
+    const std::size_t end = all[std::min(number + move.runs_beside, all.size() - 1)].end;
+    Path rest;
+    append(rest, std::span(old).subspan(first, all[number].first - first));
+    append(rest, std::span(old).subspan(all[number].end, end - all[number].end));
+    const Pose to = end < old.size() ? old[end].start : goal_;
+    const auto pushed = push_free(rest, to, {vehicle_, body_, *outlines_, sweep_}, clock_);
+    if (!pushed) return false;
+    Path path(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(first));
+    append(path, *pushed);
+    append(path, std::span(old).subspan(end));
+    return accept(path);
+  }
+
   // Refines what lies between two cusps as if it were driven forwards.
   bool take(const RefineRuns&) {
     Path path;
@@ -360,6 +456,7 @@ class ReversingRefiner {
   const SweepQuery& sweep_;
   const SweepQuery& sweep_backwards_;
   GearChanges changes_;
+  Pose goal_;
   const RefineOptions& options_;
   const StopClock& clock_;
   const World* world_;

@@ -37,6 +37,15 @@ PlanResult plan(const Narrow& narrow, std::vector<std::string> leave_out) {
   return result;
 }
 
+// Words do not join the runs beside one that is left out here: least squares do.
+TEST(GearChanges, AreLeftOutByPushingWhatRemains) {
+  const Narrow way{"driven/carved/r9/g2/c50/s2006", "leave out changes of gear", true};
+  const PlanResult pushed = plan(way, {}), words = plan(way, {way.row});
+  ASSERT_TRUE(pushed.solved() && words.solved());
+  EXPECT_LT(cusps_of(pushed.path()), cusps_of(words.path()));
+  EXPECT_LT(pushed.travel_time, 0.95 * words.travel_time);
+}
+
 class NarrowWay : public testing::TestWithParam<Narrow> {};
 
 TEST_P(NarrowWay, IsFoundByItsRowAlone) {
