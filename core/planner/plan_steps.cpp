@@ -120,15 +120,20 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return;
   const PlanMaps& maps = maps_on(step.on);
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
-  const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
-                          .passes = step.passes,
-                          .effort = kTreeEffort,
-                          .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
-                          .dead_end_passes = kDeadEndPasses};
+  SearchOptions options = search_options_;
+  if (step.only_faster) options.faster_than = best_cost_;
+  const auto if_faster = [this](const Path& path) {
+    return cost_of(path) < best_cost_ ? std::optional(path) : std::nullopt;
+  };
+  TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
+                    .passes = step.passes,
+                    .effort = kTreeEffort,
+                    .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
+                    .dead_end_passes = kDeadEndPasses};
+  if (step.only_faster) limits.accept = if_faster;
   TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees({map, query_.request.start, query_.request.goal, limits}, search_options_,
-                        workspace_.find.search, end);
+    return search_trees({map, query_.request.start, query_.request.goal, limits}, options, workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;

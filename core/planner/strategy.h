@@ -203,6 +203,18 @@ inline constexpr StrategyRow kStrategy[] = {
                .explores_surroundings = false,
                .only_in_the_open = false,
                .shortenings = 10}},
+    // The graph's path may lead a long way round where a short one is hard to join. It makes 1 of 180 driven worlds 72
+    // %
+    // faster; from a gap of 1 on it finds no more there, and takes 8 % of all the time.
+    {"trees of a faster path",
+     {.known = Known::kPath, .driving = Driving::kForwards, .grows_trees = true, .best_gap = 2.0},
+     GrowTrees{.on = On::kInUse,
+               .share = 0.25,
+               .passes = std::span(kTreePasses).first<1>(),
+               .explores_surroundings = false,
+               .only_in_the_open = false,
+               .shortenings = 10,
+               .only_faster = true}},
     {"faster turns",
      {.known = Known::kPath, .radii = Radii::kTightest, .refines = true, .best_gap = kWorthOtherRoutes},
      TryOtherTurns{kFasterTurns}},

@@ -101,6 +101,7 @@ struct GrowTrees {
   bool explores_surroundings;  ///< of both ends first: kSurroundingsEffort
   bool only_in_the_open;       ///< not if the trees before found an end in a dead end
   std::uint32_t shortenings;   ///< trials of shortening the path, as a multiple of those of refinement
+  bool only_faster = false;    ///< paths that are not faster than the best one, even before refinement, are refused
 };
 /// When trees of a slimmer body are worth it, as trees before found.
 enum class WhenSlim {

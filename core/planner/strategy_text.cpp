@@ -75,7 +75,8 @@ struct StepText {
     return "grow trees of forward motions, " + percent(step.share) + " of the poses, " +
            std::to_string(step.passes.size()) + (step.passes.size() == 1 ? " pass" : " passes") + " from cells of 1/" +
            shortest_text(1.0 / step.passes.front().finest) + " body length on" +
-           (step.explores_surroundings ? ", unless an end is closed in" : "");
+           (step.explores_surroundings ? ", unless an end is closed in" : "") +
+           (step.only_faster ? ", for a path that is faster before refinement" : "");
   }
   std::string operator()(const GrowSlimTrees& step) const {
     return "grow trees of a body " + percent(kSlimBodies[step.body]) + " narrower" +

@@ -46,6 +46,14 @@ TEST(GearChanges, AreLeftOutByPushingWhatRemains) {
   EXPECT_LT(pushed.travel_time, 0.95 * words.travel_time);
 }
 
+// The graph's path passes the obstacle on the other side, and takes five times its lower bound.
+TEST(PlanSteps, LookForAFasterPathByTrees) {
+  const Narrow way{"driven/hugging/r4/g1/c50/s2172", "trees of a faster path", false};
+  const PlanResult grown = plan(way, {}), graph = plan(way, {way.row});
+  ASSERT_TRUE(grown.solved() && graph.solved());
+  EXPECT_LT(grown.travel_time, 0.5 * graph.travel_time);
+}
+
 class NarrowWay : public testing::TestWithParam<Narrow> {};
 
 TEST_P(NarrowWay, IsFoundByItsRowAlone) {
