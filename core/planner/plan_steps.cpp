@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/infinity.h"
+#include "core/collision/path_cost.h"
 #include "core/gaps/enclosure.h"
 #include "core/motion/speed_profile.h"
 #include "core/motion/travel_time_lower_bound.h"
@@ -195,8 +196,8 @@ const PlanRun::WithoutZones& PlanRun::without_zones() {
   });
   double saves = 0.0;
   if (const auto& path = found.search.path)
-    saves = fastest_.times.unrefined - clearance_cost(*path) -
-            internal::travel_time(*path, map.vehicle, query_.ends(), workspace_.profile, nullptr);
+    saves = fastest_.times.unrefined -
+            path_cost(*path, map.vehicle, {query_.ends(), nullptr, map.clearance_cost.get()}, workspace_.profile);
   return without_zones_.emplace(WithoutZones{
       travel_time_lower_bound(request.start, request.goal, distance_, map.vehicle, request.reverse, query_.ends()),
       std::max(0.0, saves)});
