@@ -48,6 +48,7 @@ void SearchAttachments::forget() {
   start_links_.clear();
   start_link_ranges_.clear();
   goal_links_.clear();
+  close_costs_.clear();
   direct_paths_.clear();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +22,6 @@ class SearchAttachments {
     double best_time;    ///< of complete paths by this link [s]; kept for the search
     std::uint32_t next;  ///< on the same circle, or kNone
     bool checked, free;
-    std::optional<double> close_cost = {};  ///< of driving close from its line on [s]; nothing: not known yet
   };
   /// A Dubins word from a start attachment to a goal attachment.
   struct DirectPath {
@@ -59,6 +57,12 @@ class SearchAttachments {
 
   [[nodiscard]] std::span<const GoalLink> goal_links() const { return goal_links_; }
   [[nodiscard]] GoalLink& goal_link(std::uint32_t index) { return goal_links_[index]; }
+  /// What driving close costs from the line of a goal link on [s]; negative: not known yet. Kept apart from the links:
+  /// most searches ask for none, and some have hundreds of thousands of links.
+  [[nodiscard]] double& close_cost(std::uint32_t goal_link) {
+    if (close_costs_.size() < goal_links_.size()) close_costs_.resize(goal_links_.size(), -1.0);
+    return close_costs_[goal_link];
+  }
   /// The first goal link that leaves a circle of the roadmap, or kNone; GoalLink::next gives the others.
   [[nodiscard]] std::uint32_t first_goal_link(std::uint32_t circle) const { return first_goal_link_.get(circle); }
   /// Forgets the times of paths by goal links.
@@ -84,6 +88,7 @@ class SearchAttachments {
   HugeVector<AttachmentLink> start_links_, found_;
   std::vector<Range> start_link_ranges_;  // by start circle; kNone: not found yet
   HugeVector<GoalLink> goal_links_;
+  std::vector<double> close_costs_;  // by goal link, as far as asked for
   PerCircle first_goal_link_;
   std::vector<DirectPath> direct_paths_;
   Path path_;             // memory

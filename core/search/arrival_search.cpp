@@ -573,11 +573,11 @@ class ArrivalSearch::Run {
     const double turn = turn_between(label.heading, goal.link.line.start.heading, side);
     if (!goes_on(turn) || (goal.checked && !goal.free)) return;
     const AttachmentCircle& to = attachments_.goal_circles()[goal.link.attachment_circle];
-    const double time =
-        w_.times.depends_on_places()
-            ? w_.times.time_to_goal(label.joint, label.circle,
-                                    arc_on(graph_.circles()[label.circle], label.heading, turn), goal, to)
-            : w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link, to);
+    const double time = w_.times.depends_on_places()
+                            ? w_.times.time_to_goal(label.joint, label.circle,
+                                                    arc_on(graph_.circles()[label.circle], label.heading, turn),
+                                                    {goal.link, to, attachments_.close_cost(g)})
+                            : w_.times.time_to_goal(label.joint, turn * label.radius, label.radius, goal.link, to);
     if (time >= goal.best_time) return;
     goal.best_time = time;
     push(Kind::kGoal, {index, g, kNone, 0.0, 0.0, 0.0}, time);

@@ -83,18 +83,18 @@ double SearchTimes::time_to_goal(std::uint32_t joint, double arc, double radius,
 }
 
 double SearchTimes::time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
-                                 SearchAttachments::GoalLink& goal, const AttachmentCircle& to) {
+                                 const LinkToGoal& goal) {
   const std::size_t size = speeds_.size();
   const AttachmentLink& link = goal.link;
+  const AttachmentCircle& to = goal.to;
   joint = add_turn(joint, circle, arc, context_->vehicle.max_speed());
   last_.assign({{link.line.start, link.line.length, 0.0}});
   const double radius = to.circle.radius;
   last_.push_back({pose_on(to.circle, link.line.start.heading), link.turn * radius, sign_of(to.circle.side) / radius});
   const Path& connection = context_->goals[to.attachment].connection;
   last_.insert(last_.end(), connection.begin(), connection.end());
-  if (!goal.close_cost) goal.close_cost = arcway::internal::clearance_cost(clearance_, last_);
-  return cost_at_goal(add_path(joint, last_, context_->options.ends.goal, CloseCost::kIsKnown), size) +
-         *goal.close_cost;
+  if (goal.close_cost < 0.0) goal.close_cost = arcway::internal::clearance_cost(clearance_, last_);
+  return cost_at_goal(add_path(joint, last_, context_->options.ends.goal, CloseCost::kIsKnown), size) + goal.close_cost;
 }
 
 // The time and cost at the last joint, if it is fast enough. Forgets the joints from `size` on.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/attach/search_attachments.h"
+#include "core/attach/attachment_links.h"
 #include "core/attach/search_context.h"
 #include "core/collision/clearance_cost.h"
 #include "core/motion/speed_tree.h"
@@ -64,12 +64,16 @@ class SearchTimes {
   /// Infinity if it cannot end at the goal's speed.
   double time_to_goal(std::uint32_t joint, double arc, double radius, const AttachmentLink& link,
                       const AttachmentCircle& to);
+  /// A link to a goal, and what driving close costs from its line on [s]: found here if negative.
+  struct LinkToGoal {
+    const AttachmentLink& link;
+    const AttachmentCircle& to;
+    double& close_cost;
+  };
   /// The exact cost of a complete path that depends on places: its time with the limits of zones, and that of driving
   /// close [s]. Infinity as above.
   /// @param arc  on the last circle of the graph, `circle`.
-  /// @param goal  whose cost of driving close is found once.
-  double time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc,
-                      SearchAttachments::GoalLink& goal, const AttachmentCircle& to);
+  double time_to_goal(std::uint32_t joint, std::uint32_t circle, const PathSegment& arc, const LinkToGoal& goal);
 
  private:
   // A segment as far as speeds depend on it.
