@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
@@ -84,16 +83,23 @@ void time_zones(benchmark::State& state, const Vehicle& vehicle, const std::stri
   state.counters["gap_median"] = median(gaps);
 }
 
+struct Robot {
+  const char* name;
+  Vehicle vehicle;
+};
+
 void add(Study study) {
-  const std::vector<std::pair<std::string, Vehicle>> robots{{"paper", Vehicle(VehicleParameters{})},
-                                                            {"gentle", kGentleRobots[0].vehicle()}};
-  for (const auto& [name, vehicle] : robots) {
-    Series series(study, "PlanZones/" + name, "obstacles", "A* over the part of the graph towards the goal", 1.0);
+  for (const Robot& robot :
+       {Robot{"paper", Vehicle(VehicleParameters{})}, Robot{"gentle", kGentleRobots[0].vehicle()}}) {
+    Series series(study, std::string("PlanZones/") + robot.name, "obstacles",
+                  "A* over the part of the graph towards the goal", 1.0);
     series.allow(20.0);
     for (const std::size_t n : sizes(study, {100, 316, 1000}, 100, 1000))
       series
           .add(static_cast<double>(n),
-               [vehicle, n](benchmark::State& state) { time_zones(state, vehicle, clutter_name("convex", n, 10, 15)); })
+               [vehicle = robot.vehicle, n](benchmark::State& state) {
+                 time_zones(state, vehicle, clutter_name("convex", n, 10, 15));
+               })
           ->Iterations(1)
           ->Repetitions(study == Study::kCheck ? 1 : 3);
   }
