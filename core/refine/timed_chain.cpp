@@ -181,6 +181,7 @@ bool TimedChain::lay_out(const ChainChange& change) {
     if (!go_to(change.circles[i])) return false;
   const bool to_goal = change.last == chain.circles.size();
   if (!to_goal && !go_to(chain.circles[change.last])) return false;
+  if (at == nullptr) return false;  // no circle would be left
   const Bitangent end = to_goal ? chain.last_line(change.lead_out) : now_.lines[change.last + 1];
   add_arc(*at, heading, end.start.heading);
   add_line(end);

@@ -68,7 +68,7 @@ class TimedChain {
   };
   /// Computes the part of the path that a change affects, from the line before it to the line behind it, without parts
   /// of zero length.
-  /// @return false if two neighbors have no bitangent.
+  /// @return false if two neighbors have no bitangent, or no circle is left.
   bool lay_out(const ChainChange& change);
   [[nodiscard]] const std::vector<Part>& laid_out() const { return laid_out_; }
   /// The cost after the change laid out last [s], from its parts alone: exact up to rounding, or too small. Infinity if
