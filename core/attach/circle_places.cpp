@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -38,7 +37,6 @@ Box CirclePlaces::Built::append(const Outlines::Piece& piece, const TurnCircles&
   struct Sized {
     int magnitude;  // of the radius
     std::uint32_t circle;
-    auto operator<=>(const Sized&) const = default;
   };
   static thread_local std::vector<Sized> here;  // memory
   here.clear();
@@ -46,7 +44,7 @@ Box CirclePlaces::Built::append(const Outlines::Piece& piece, const TurnCircles&
     of.visit_by_first(static_cast<VertexId>(piece.first + k), [&](std::uint32_t c) {
       here.push_back({std::ilogb(of.all()[c].radius), c});
     });
-  std::ranges::sort(here);
+  std::ranges::sort(here, {}, [](const Sized& sized) { return std::pair(sized.magnitude, sized.circle); });
   const std::size_t first = groups.size();
   for (std::size_t k = 0; k < here.size(); ++k) {
     const auto at = static_cast<std::uint32_t>(circles.size());

@@ -68,7 +68,8 @@ bool ClearanceCost::Rule::may_count_in(const Box& box) const {
   return cost > 0.0 && (!area || area->box().overlaps(box));
 }
 
-std::shared_ptr<const ClearanceCost> ClearanceCost::of(const Vehicle& vehicle, std::shared_ptr<const Outlines> outlines,
+std::shared_ptr<const ClearanceCost> ClearanceCost::of(const Vehicle& vehicle,
+                                                       const std::shared_ptr<const Outlines>& outlines,
                                                        const std::optional<ClearancePreference>& preference,
                                                        std::span<const Zone> zones) {
   ClearanceCost cost;

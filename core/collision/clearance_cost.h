@@ -40,7 +40,8 @@ class ClearanceCost {
 
   /// Null if neither the planner nor a zone prefers clearance.
   /// @param outlines  of the world.
-  static std::shared_ptr<const ClearanceCost> of(const Vehicle& vehicle, std::shared_ptr<const Outlines> outlines,
+  static std::shared_ptr<const ClearanceCost> of(const Vehicle& vehicle,
+                                                 const std::shared_ptr<const Outlines>& outlines,
                                                  const std::optional<ClearancePreference>& preference,
                                                  std::span<const Zone> zones);
   /// The cost of one preference.

@@ -304,6 +304,7 @@ struct World::Data {
       }
     }
     std::vector<bool> before;
+    before.reserve(doubtful.size());
     for (const VertexId v : doubtful) before.push_back(covered[v]);
     mark_covered(doubtful);
     for (std::size_t i = 0; i < doubtful.size(); ++i)
