@@ -109,12 +109,12 @@ struct Circles {
   std::shared_ptr<const FeasibleGraph> graph;
 };
 
-// Vertices with other neighbors than before a change, or new ones.
+// Vertices with other neighbors than before a change, or new ones: they may have been there, inside an obstacle.
 std::vector<VertexId> differing(const Circles& before, const Circles& after, const VertexMap& map) {
   std::vector<VertexId> differ;
   for (const VertexId v : after.world.convex_vertices()) {
     const VertexId was = map.before(v);
-    if (was == kNone ||
+    if (was == kNone || !std::ranges::binary_search(before.world.convex_vertices(), was) ||
         !std::ranges::equal(before.rows->of(was), after.rows->of(v), {}, [&](VertexId w) { return map.after(w); }))
       differ.push_back(v);
   }
