@@ -73,9 +73,8 @@ struct FilterMaskFiles {
 /// into by more than a billionth of its side is the zone's.
 ///
 /// - Keep-outs have the value 100. No cell has another one but 0.
-/// - Speed limits have values from 1 to 100, by base + multiplier * value. The lowest limit has the value 1, the
-/// highest
-///   one 100. Those between are rounded down to a step. A cell has the lowest limit of the zones that reach into it.
+/// - Speed limits have values from 1 to 100, by base + multiplier * value: 1 for the lowest limit, 100 for the highest.
+///   Those between are rounded down to a step. A cell has the lowest limit of the zones that reach into it.
 ///
 /// Other zones are left out. read_filter_mask gives back zones of whole cells.
 /// @param name  of the files, without ending.
