@@ -18,6 +18,7 @@
 #include "arcway/planner.h"
 #include "arcway/tour.h"
 #include "tests/support/boxes.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 
@@ -150,8 +151,7 @@ TEST(ClearancePreference, NeverCostsMoreThanTheFastestPlanInClutter) {
     const double side = world.box().max.x();
     const Planner planner(world, robot(), preferring(0.5, 5.0)), fastest(world, robot());
     for (int i = 0; i < 5; ++i) {
-      const PlanRequest request{.start = {random.uniform(0, side), random.uniform(0, side), random.uniform(-3, 3)},
-                                .goal = {random.uniform(0, side), random.uniform(0, side), random.uniform(-3, 3)}};
+      const PlanRequest request = test::request_within(side, random);
       const PlanResult plan = planner.plan(request), other = fastest.plan(request);
       EXPECT_EQ(plan.solved(), other.solved());
       if (!plan.solved() || !other.solved()) continue;

@@ -13,6 +13,7 @@
 #include "arcway/tour.h"
 #include "arcway/zone_stay.h"
 #include "tests/support/boxes.h"
+#include "tests/support/free_plans.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/sampled_cost.h"
@@ -169,8 +170,7 @@ TEST(ClearanceZone, NeverCostsMoreThanTheFastestPlanInClutter) {
     test::RandomInputs random(seed);
     const Planner planner(world, robot()), fastest(free, robot());
     for (int i = 0; i < 4; ++i) {
-      const PlanRequest request{.start = {random.uniform(0, side), random.uniform(0, side), random.uniform(-3, 3)},
-                                .goal = {random.uniform(0, side), random.uniform(0, side), random.uniform(-3, 3)}};
+      const PlanRequest request = test::request_within(side, random);
       const PlanResult plan = planner.plan(request), other = fastest.plan(request);
       EXPECT_EQ(plan.solved(), other.solved());
       if (!plan.solved() || !other.solved()) continue;

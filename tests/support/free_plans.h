@@ -13,7 +13,13 @@ inline Pose pose_in(const World& world, RandomInputs& random) {
   return {place.x(), place.y(), random.uniform(-kPi, kPi)};
 }
 
-/// A request between such poses, and the path that is found for it.
+/// A request between poses in the square from the origin to (side, side); free or not.
+inline PlanRequest request_within(double side, RandomInputs& random) {
+  return {.start = {random.uniform(0, side), random.uniform(0, side), random.uniform(-3, 3)},
+          .goal = {random.uniform(0, side), random.uniform(0, side), random.uniform(-3, 3)}};
+}
+
+/// A request between poses of a world, and the path that is found for it.
 struct FreePlan {
   PlanRequest request;
   Path path;
