@@ -25,8 +25,7 @@ constexpr std::uint64_t kSeed = 3;
 
 // Regular polygons, anywhere and turned at random.
 std::vector<Zone> random_zones(const World& world, double speed) {
-  Box box;
-  for (const Vec2& p : world.vertices()) box.extend(p);
+  const Box box = world.box();
   const double width = (box.max - box.min).maxCoeff();
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> share(0.0, 1.0);
