@@ -96,7 +96,7 @@ void time_change(benchmark::State& state, const std::string& name, std::size_t c
     return making.seconds();
   };
   std::vector<double> changes, rebuilds, lazy_changes, lazy_rebuilds;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     changes.push_back(seconds_of([&] { return change_once(options); }));
     state.PauseTiming();
     rebuilds.push_back(seconds_of([&] { return build_once({}); }));
@@ -130,7 +130,7 @@ void time_one_moved(benchmark::State& state, const std::string& name) {
     return changed == times(plan_all(Planner(anew, Vehicle(), accel_backend(anew, kSerialExecutor)), requests));
   };
   if (!require_once(state, "OneMoved/" + name, right, "plans differ from those of a planner built anew")) return;
-  for (auto _ : state) benchmark::DoNotOptimize(before.with_obstacles({&moved, 1}, added));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(before.with_obstacles({&moved, 1}, added));
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
 }
 

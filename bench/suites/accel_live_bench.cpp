@@ -130,7 +130,7 @@ struct Record {
 void time_drive(benchmark::State& state, const Route& route, const MakePlanner& make, double rate, std::size_t cycles) {
   Record record;
   std::size_t goals = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
     const std::unique_ptr<LivePlanner> planner = make(route.world, route.vehicle);
     LiveDrive drive(*planner, route.first, route.goals, {.rate = rate, .within = kWithin});

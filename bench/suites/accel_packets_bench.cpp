@@ -164,7 +164,7 @@ void time_scene(benchmark::State& state, const std::string& world_name, Order or
   bool right = true;  // no segment begins inside an obstacle
   for (std::size_t i = 0; i < segments.size(); ++i) right = right && (blocked[i] != 0) != (visible[i] != 0);
   if (!require(state, right, "differs from the library's answers")) return;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     scene.blocked(segments, blocked);
     benchmark::DoNotOptimize(blocked.data());
   }

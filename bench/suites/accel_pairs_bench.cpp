@@ -34,7 +34,7 @@ void build(benchmark::State& state, const Case& c) {
   const auto right = [&] { return is_reduced_graph(world, graph); };
   const std::string key = "Pairwise/" + world_name + std::to_string(static_cast<int>(c.search) * 10 + c.threads);
   if (!require_once(state, key, right, "edges differ from the reference")) return;
-  for (auto _ : state) graph = build_once();
+  for ([[maybe_unused]] auto _ : state) graph = build_once();
   state.counters["vertex_pairs"] = static_cast<double>(counts.vertex_pairs);
   state.counters["tangent_pairs"] = static_cast<double>(counts.tangent_pairs);
   state.counters["edges"] = static_cast<double>(graph.edge_count());

@@ -46,7 +46,7 @@ void time_rays(benchmark::State& state, const std::string& world_name, std::size
   make_reference_queries(world).visibility->visible(std::span(segments).first(kChecked), expected);
   if (!require(state, std::equal(expected.begin(), expected.end(), visible.begin()), "differs from the reference"))
     return;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     queries.visibility->visible(segments, visible);
     benchmark::DoNotOptimize(visible.data());
   }
@@ -64,7 +64,7 @@ void time_embree_alone(benchmark::State& state, const std::string& world_name) {
   const World& world = shared_world(world_name);
   const std::vector<LineSegment> segments = random_segments(world);
   const embree::RayScene<RefuseAll> scene(std::make_shared<const embree::Device>(), world, {});
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (const LineSegment& s : segments)
       benchmark::DoNotOptimize(scene.any(scene.edges().scaled(s.a), scene.edges().scaled(s.b), {}));
   }

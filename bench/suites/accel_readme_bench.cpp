@@ -30,7 +30,7 @@ void time_first_plans(benchmark::State& state, const std::string& name) {
            });
   };
   if (!require_once(state, "FirstPlan/" + name, right, "no plan, or the validator refuses one")) return;
-  for (auto _ : state) benchmark::DoNotOptimize(plan_each());
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(plan_each());
   set_batch(state, kPlans);
 }
 

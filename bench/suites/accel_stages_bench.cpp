@@ -60,7 +60,7 @@ auto make_of_each(const Worlds& worlds, const Make& make) {
 template <class Item, class Run>
 void time_in_turn(benchmark::State& state, const std::vector<Item>& items, const Run& run) {
   std::size_t next = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(run(items[next]));
     next = (next + 1) % items.size();
   }

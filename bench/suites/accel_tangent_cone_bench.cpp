@@ -23,7 +23,7 @@ void build(benchmark::State& state, const std::string& name, std::size_t threads
   TangentConeStatistics statistics;
   VisibilityGraph graph = build_reduced_visibility_graph_by_tangent_cones(world, *executor, &statistics);
   if (!is_right(state, name, threads, graph)) return;
-  for (auto _ : state) graph = build_reduced_visibility_graph_by_tangent_cones(world, *executor);
+  for ([[maybe_unused]] auto _ : state) graph = build_reduced_visibility_graph_by_tangent_cones(world, *executor);
   const auto steps = static_cast<double>(statistics.steps);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
   state.counters["edges"] = static_cast<double>(graph.edge_count());

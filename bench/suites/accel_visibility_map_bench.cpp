@@ -86,7 +86,7 @@ void time_questions(benchmark::State& state, const std::string& world_name, cons
     found += static_cast<double>(answer.size());
     if (i < kChecked && !require(state, is_right(world, points[i], answer), "differs from the reference")) return;
   }
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const Vec2& p : points) benchmark::DoNotOptimize(ask(map, p));
   state.counters["found"] = found / static_cast<double>(kPoints);
   set_batch(state, kPoints);
@@ -105,7 +105,7 @@ void time_rays(benchmark::State& state, const std::string& world_name) {
     const bool same = hit ? is_edge(world, expected, hit->edge) : !expected;
     if (!require(state, same != corrupting(), "differs from the reference")) return;
   }
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (std::size_t i = 0; i < kPoints; ++i) benchmark::DoNotOptimize(map.first_hit(points[i], towards[i]));
   set_batch(state, kPoints);
 }

@@ -47,7 +47,7 @@ void time_bitangents(benchmark::State& state) {
     right = right && (line ? is_tangent_line(*line, pairs[i]) : !must_exist);
   }
   if (!require(state, right, "a line is not tangent")) return;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (const auto& [from, to] : pairs) benchmark::DoNotOptimize(directed_bitangent(from, to));
   }
   set_batch(state, kPairs);

@@ -60,7 +60,7 @@ void time_body(benchmark::State& state, const Outline& outline, const std::strin
   const std::vector<PlanResult> of_rectangle = plan_all(rectangle, requests), of_other = plan_all(other, requests);
   if (!require(state, are_right(other, of_other), "the validator refuses a path, or there is none")) return;
   std::vector<double> over, travel;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       const double before = plan_by_processor_time(rectangle, requests[i]).statistics.total_seconds;
       const double now = plan_by_processor_time(other, requests[i]).statistics.total_seconds;

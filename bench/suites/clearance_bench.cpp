@@ -63,7 +63,7 @@ void time_clearance(benchmark::State& state, const std::string& world_name) {
     return true;
   };
   if (!require_once(state, "PathClearance/" + world_name, right, "poses on the way are nearer or all further")) return;
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const PathSegment& segment : segments) benchmark::DoNotOptimize(clearance_along(segment, body, world));
   set_batch(state, kSegments);
 }

@@ -82,7 +82,7 @@ void time_driven(benchmark::State& state, const std::vector<std::string>& worlds
     if (!answers.back().solved) missed += (missed.empty() ? "missed: " : ", ") + worlds[i];
   }
   state.SetLabel(missed);
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const DrivenWorld& world : driven)
       benchmark::DoNotOptimize(plan(world, to_world(world.map, "driven"), reverse));
   set_batch(state, worlds.size());

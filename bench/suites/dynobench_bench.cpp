@@ -58,7 +58,7 @@ void time_plan(benchmark::State& state, const Problem& problem) {
   if (!require(state, is_valid(Validator(problem.world), problem.vehicle, plan), "the validator refuses the path"))
     return;
   const LoopWork work;
-  for (auto _ : state) benchmark::DoNotOptimize(planner.plan(problem.request));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(planner.plan(problem.request));
   work.count(state, "query");
   count_search(state, {plan});
   state.counters["travel_time_s"] = plan.travel_time;

@@ -83,7 +83,7 @@ void build(benchmark::State& state, const QueryBackend& backend, const Case& c) 
   const std::string key = backend.name + c.world + std::to_string(c.radii) + "/" + std::to_string(c.threads);
   if (!require_once(state, "FeasibleGraph/" + key, right, "links differ from the reference")) return;
   const LoopWork work;
-  for (auto _ : state) graph = build_once();
+  for ([[maybe_unused]] auto _ : state) graph = build_once();
   if (c.threads == 1) work.count(state, "graph");  // several threads share the work out as they come
 
   const auto vertices = static_cast<double>(world.vertices().size());

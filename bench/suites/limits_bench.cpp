@@ -172,7 +172,7 @@ void time_limit(benchmark::State& state, const Case& measured) {
   if (!require_once(state, key, is_right, "the validator refuses a path, or there is none")) return;
   double worst = 0.0, worst_behind = 0.0;
   std::size_t solved = 0, asked = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (const Query& query : queries) {
       const Ended end = ended({world, vehicle, made == Made::kNothing ? nullptr : &planner}, task, query, limit);
       worst_behind = std::max(worst_behind, end.behind);

@@ -24,7 +24,8 @@ void load(benchmark::State& state, const std::string& world_name) {
   MapFile read = read_geojson(text, "benchmark");
   if (corrupting()) read.obstacles.pop_back();
   if (!require(state, same_polygons(read, map), "what is read is not what was written")) return;
-  for (auto _ : state) benchmark::DoNotOptimize(to_world(read_geojson(text, "benchmark"), "benchmark"));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(to_world(read_geojson(text, "benchmark"), "benchmark"));
   state.counters["vertices"] = static_cast<double>(shared_world(world_name).vertices().size());
   state.SetBytesProcessed(static_cast<std::int64_t>(text.size()) * static_cast<std::int64_t>(state.iterations()));
 }
@@ -39,7 +40,7 @@ void check_map(benchmark::State& state, const std::string& world_name) {
     return std::ranges::equal(to_world(read, "benchmark").convex_vertices(), right.convex_vertices());
   };
   if (!require(state, is_right(), "the world's graph vertices are others")) return;
-  for (auto _ : state) benchmark::DoNotOptimize(to_world(map, "benchmark"));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(to_world(map, "benchmark"));
   state.counters["vertices"] = static_cast<double>(right.vertices().size());
 }
 
@@ -73,7 +74,7 @@ void trace(benchmark::State& state, std::size_t side) {
   if (corrupting()) polygons.pop_back();
   const auto blocked = std::ranges::count(grid.cells, Cell::kOccupied);
   if (!require(state, double_area(polygons) == 2 * blocked, "the polygons do not cover as much as the cells")) return;
-  for (auto _ : state) benchmark::DoNotOptimize(polygons = trace_blocked(grid, false));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(polygons = trace_blocked(grid, false));
 }
 
 void add(Study study) {

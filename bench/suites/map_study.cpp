@@ -65,7 +65,7 @@ class MapBenchmarks {
   /// The timed loop. Its rounds do nothing after a stop request; then it returns false.
   bool loop(benchmark::State& state, const std::function<void()>& work) {
     has_looped_ = true;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       try {
         if (!is_stopped()) work();
       } catch (const Canceled&) {

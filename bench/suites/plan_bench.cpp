@@ -44,7 +44,7 @@ void time_queries(benchmark::State& state, const Planner& planner, const std::ve
   };
   repeat();
   const LoopWork work;
-  for (auto _ : state) repeat();
+  for ([[maybe_unused]] auto _ : state) repeat();
   work.count(state, "query", requests.size());
   count_search(state, results);
   set_batch(state, requests.size());
@@ -90,7 +90,7 @@ void time_from_nothing(benchmark::State& state, const World& world, const Vehicl
   const HeapUse after = heap_use();
   if (!require(state, are_right(planner, results), kWrong)) return;
   const LoopWork work;
-  for (auto _ : state) benchmark::DoNotOptimize(solve());
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(solve());
   work.count(state, "query");
   count_search(state, results);
   const auto vertices = static_cast<double>(world.vertices().size());
@@ -120,7 +120,7 @@ void time_prepared(benchmark::State& state, const KeptVehicle& kept, const std::
   if (!require(state, found->second.is_right, kWrong)) return;
   std::vector<PlanResult> results;
   const LoopWork work;
-  for (auto _ : state) results = plan_all(found->second.planner, requests);
+  for ([[maybe_unused]] auto _ : state) results = plan_all(found->second.planner, requests);
   work.count(state, "query", requests.size());
   count_search(state, results);
   set_batch(state, requests.size());
@@ -147,7 +147,7 @@ void time_each(benchmark::State& state, const std::string& world_name, std::size
   state.counters["first_median"] = median(seconds);
   state.counters["first_p99"] = quantile(seconds, 0.99);
   if (!require(state, are_right(planner, results), kWrong)) return;
-  for (auto _ : state) ask_each();
+  for ([[maybe_unused]] auto _ : state) ask_each();
   state.counters["again_median"] = median(seconds);
   state.counters["again_p99"] = quantile(seconds, 0.99);
   state.counters["vertices"] = static_cast<double>(planner.world().vertices().size());
@@ -169,7 +169,7 @@ void time_batch(benchmark::State& state, const std::string& world_name, std::siz
   };
   if (!require(state, std::ranges::equal(results, one_by_one, same), "a batch differs from its queries one by one"))
     return;
-  for (auto _ : state) benchmark::DoNotOptimize(plan_batch(planner, requests, *executor));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(plan_batch(planner, requests, *executor));
   set_batch(state, queries);
 }
 

@@ -47,7 +47,7 @@ void add_case(const std::string& name, bool collinear) {
       right = right && sign == whole_orientation(inputs[i]);
     }
     if (!require(state, right, "a sign differs from whole-number arithmetic")) return;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       int sum = 0;
       for (const Triple& t : inputs) sum += orientation(t[0], t[1], t[2]);
       benchmark::DoNotOptimize(sum);

@@ -45,7 +45,7 @@ void time_quality(benchmark::State& state, const std::string& world_name, std::s
   const std::vector<PlanRequest> requests = catalog_queries(world_name, queries, 1);
   const std::vector<PlanResult> results = plan_by_processor_time(planner, requests);
   if (!require(state, are_right(planner, results), kWrong)) return;
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
   set_batch(state, queries);
   label_slowest(state, results, world_name);
@@ -62,7 +62,7 @@ void time_vehicle(benchmark::State& state, const KeptVehicle& kept, const std::s
   planner.warm_up();
   const std::vector<PlanRequest> requests = queries_for(kept.vehicle(), world, queries, 1);
   std::vector<PlanResult> results;
-  for (auto _ : state) results = plan_by_processor_time(planner, requests);
+  for ([[maybe_unused]] auto _ : state) results = plan_by_processor_time(planner, requests);
   if (!require(state, are_right(planner, results), kWrong)) return;
   set_batch(state, queries);
   label_slowest(state, results, world_name);
@@ -110,7 +110,7 @@ void time_variant(benchmark::State& state, const std::string& world_name, std::s
     if (results.size() < all.size())
       results.push_back(plan_all(make_planner(world, kGentleRobots[0].vehicle(), v.options), requests));
   if (!require(state, are_right(planner, results[chosen]), kWrong)) return;
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const PlanRequest& request : requests) benchmark::DoNotOptimize(planner.plan(request));
   set_batch(state, queries);
   count_search(state, results[chosen]);

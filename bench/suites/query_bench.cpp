@@ -52,7 +52,7 @@ void time_questions(benchmark::State& state, const QueryBackend& backend, const 
     return;
   ask(queries, questions, kQuestions);
   const LoopWork work;
-  for (auto _ : state) ask(queries, questions, kQuestions);
+  for ([[maybe_unused]] auto _ : state) ask(queries, questions, kQuestions);
   work.count(state, "question", kQuestions);
   state.counters["vertices"] = static_cast<double>(world.vertices().size());
   set_batch(state, kQuestions);

@@ -59,7 +59,7 @@ void time_radii(benchmark::State& state, const GentleRobot& robot, const std::st
   all.resize(std::min(radii, all.size()));
   const Planner planner = make_planner(world, vehicle, {.radii = all});
   std::vector<PlanResult> results;
-  for (auto _ : state) results = plan_all(planner, requests);
+  for ([[maybe_unused]] auto _ : state) results = plan_all(planner, requests);
   if (!require(state, are_right(planner, results), kWrong)) return;
   set_batch(state, queries);
   count_search(state, results);

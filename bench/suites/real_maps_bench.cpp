@@ -45,7 +45,7 @@ void plan_on(benchmark::State& state, const RealMap& map, GraphMode mode, std::s
   const std::vector<PlanRequest> requests =
       random_queries(world, planner.queries(), vehicle, {.count = count, .seed = 1, .passable = true});
   std::vector<PlanResult> results;
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const PlanRequest& request : requests)
       results.push_back(plan_by_processor_time(planner, request, {.time = kTimeLimit}));
   if (!require(state, are_right(planner, results), "the validator refuses a path, or there is none")) return;

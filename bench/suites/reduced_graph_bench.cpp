@@ -31,7 +31,7 @@ void build(benchmark::State& state, const MeasuredBuilder& builder, const std::s
   const std::string key = "ReducedGraph/" + builder.name + "/" + world_name + "/" + std::to_string(threads);
   if (!require_once(state, key, right, "edges differ from the reference")) return;
   const LoopWork work;
-  for (auto _ : state) graph = builder.graph(world, *executor);
+  for ([[maybe_unused]] auto _ : state) graph = builder.graph(world, *executor);
   if (threads == 1) work.count(state, "graph");  // several threads share the work out as they come
   count_graph(state, world, graph);
   const auto vertices = static_cast<double>(world.vertices().size());
@@ -54,7 +54,7 @@ void add_full_graph(Study study) {
           const auto right = [&] { return is_full_graph(world, graph); };
           const std::string key = "FullGraph/" + builder.name + std::to_string(n);
           if (!require_once(state, key, right, "edges differ from the reference")) return;
-          for (auto _ : state) graph = builder.graph(world, executor);
+          for ([[maybe_unused]] auto _ : state) graph = builder.graph(world, executor);
           count_graph(state, world, graph);
         });
   }

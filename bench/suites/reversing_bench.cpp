@@ -63,7 +63,7 @@ void time_parking(benchmark::State& state, const Parking& parking) {
   const PlanResult result = planner.plan(parking.request);
   if (!require(state, are_right(planner, {result}), kWrong)) return;
   const LoopWork work;
-  for (auto _ : state) benchmark::DoNotOptimize(planner.plan(parking.request));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(planner.plan(parking.request));
   work.count(state, "query");
   count_search(state, {result});
   state.counters["travel_time_s"] = result.travel_time;

@@ -49,7 +49,7 @@ void time_profile(benchmark::State& state, std::size_t segments) {
   if (corrupting()) profile.speeds[segments / 2] *= 1.01;
   const auto right = [&] { return are_fastest(profile, path, vehicle); };
   if (!require_once(state, "SpeedProfile/" + std::to_string(segments), right, "a speed is not the fastest")) return;
-  for (auto _ : state) benchmark::DoNotOptimize(profile = speed_profile(path, vehicle));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(profile = speed_profile(path, vehicle));
 }
 
 void add(Study study) {

@@ -74,7 +74,7 @@ void time_without(benchmark::State& state, const Case& c, const std::string& wor
   const std::vector<PlanResult>& whole = whole_plans(c, world, requests);
   const Planner planner = planner_without(c, world, name.empty() ? std::vector<std::string>{} : std::vector{name});
   std::vector<PlanResult> results;
-  for (auto _ : state) results = plan_all(planner, requests);
+  for ([[maybe_unused]] auto _ : state) results = plan_all(planner, requests);
   set_batch(state, queries);
   const bool any = std::ranges::any_of(results, &PlanResult::solved);
   if (!require(state, !any || are_right(planner, results), "the validator refuses a path")) return;

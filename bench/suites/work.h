@@ -12,7 +12,7 @@ namespace arcway::internal::bench {
 /// What a timed loop takes besides time, which a gate compares between two runs on any machine:
 ///
 ///     const LoopWork work;
-///     for (auto _ : state) ask();
+///     for ([[maybe_unused]] auto _ : state) ask();
 ///     work.count(state, "question", kQuestions);
 ///
 /// What the first round allocates and later ones keep belongs before the loop: its number of rounds varies.

@@ -25,7 +25,7 @@ constexpr std::uint64_t kSeed = 3;
 
 // Regular polygons, anywhere and turned at random.
 std::vector<Zone> random_zones(const World& world, double speed) {
-  const Box box = world.box();
+  const Box& box = world.box();
   const double width = (box.max - box.min).maxCoeff();
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -58,7 +58,7 @@ void time_zones(benchmark::State& state, const Vehicle& vehicle, const std::stri
     return;
   std::vector<double> over, travel, gaps;
   double total_without = 0.0, total_with = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       const double before = plan_by_processor_time(plain, requests[i]).statistics.total_seconds;
       const double now = plan_by_processor_time(zoned, requests[i]).statistics.total_seconds;
