@@ -1,7 +1,6 @@
 #include "arcway/datasets/svg.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -14,11 +13,13 @@
 #include <vector>
 
 #include "arcway/angle.h"
-#include "arcway/datasets/file_io.h"
 #include "arcway/zone.h"
 #include "core/geometry/convex_prism.h"
 #include "core/model/pose_text.h"
 #include "datasets/io/markup_text.h"
+#include "datasets/pictures/svg_text.h"
+#include "datasets/pictures/viridis.h"
+#include "datasets/pictures/zone_style.h"
 
 namespace arcway {
 
@@ -28,12 +29,6 @@ namespace {
 constexpr double kBorder = 16.0;      // around the map [px]
 constexpr double kLineHeight = 22.0;  // height of a line of a caption [px]
 constexpr std::size_t kMostEdges = 50'000;
-constexpr double kHatch = 9.0;        // between lines of a hatching [px]
-constexpr double kHatchLine = 1.6;    // their width [px]
-constexpr double kArrow = 16.0;       // length of an arrow of a zone's direction [px]
-constexpr double kArrowHead = 4.0;    // half the width of its head [px]
-constexpr double kArrowAlong = 26.0;  // from arrow to arrow, along and aside [px]
-constexpr double kArrowAside = 14.0;
 constexpr double kMinOutline = 14.0;  // below this the body cannot be made out [px]
 constexpr double kTallest = 1.5;      // height of a map by its width
 constexpr const char* kOutlineColor = "#2b3340";
@@ -55,100 +50,10 @@ constexpr double kSpeedColors = 40.0;       // steps of color from rest to the h
 constexpr double kDriven = 10.0;            // between points of a path that are counted in corners [px]
 constexpr double kInset = 0.33;             // side of an inset by the map's shorter side
 constexpr double kInsetBorder = 44.0;       // between an inset and the map's edge, for the marks of axes [px]
-// Viridis at even steps, from slow to fast: it is told apart in gray and by color-blind people.
-constexpr std::array<std::array<double, 3>, 5> kViridis = {
-    {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
-
-// "#rrggbb" of a share of the highest speed.
-std::string speed_color(double share) {
-  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(kViridis.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
-  std::string color = "#";
-  for (std::size_t c = 0; c < 3; ++c) {
-    constexpr const char* kDigits = "0123456789abcdef";
-    const auto value = static_cast<unsigned>(
-        std::lround(std::lerp(kViridis[i][c], kViridis[i + 1][c], place - static_cast<double>(i))));
-    color += kDigits[value / 16];
-    color += kDigits[value % 16];
-  }
-  return color;
-}
-
 // The largest of 1, 2, 5, 10, 20, ... times a power of ten that is at most this.
 double round_step(double at_most) {
   const double power = std::pow(10.0, std::floor(std::log10(at_most)));
   return at_most >= 5.0 * power ? 5.0 * power : at_most >= 2.0 * power ? 2.0 * power : power;
-}
-
-// Rounded to 1 / parts: "12.3", "12".
-void append(std::string& out, double value, double parts = 10.0) {
-  const double rounded = std::round(value * parts);
-  char buffer[32];
-  const char* end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0.0 ? 0.0 : rounded / parts).ptr;
-  out.append(static_cast<const char*>(buffer), end);
-}
-
-// In the picture [px].
-void append(std::string& out, const Vec2& p) {
-  append(out, p.x());
-  out += ' ';
-  append(out, p.y());
-}
-
-// A group that Inkscape shows as a layer.
-std::string open_layer(const std::string& id, const std::string& attributes) {
-  return "<g id=\"" + id + "\" " + attributes + R"( inkscape:groupmode="layer" inkscape:label=")" + id + "\">\n";
-}
-
-// In a caption.
-std::string square(std::string_view color) { return "<tspan fill=\"" + std::string(color) + "\">\u25A0</tspan> "; }
-
-// Colors of Okabe and Ito: vermilion for zones to stay out of, orange for those to drive slowly in. Purple for those to
-// drive in one direction, sky blue for those to keep a distance in.
-std::string_view zone_color(const Zone& zone) {
-  constexpr std::array<std::string_view, std::variant_size_v<ZoneRule>> kColors{"#d55e00", "#e69f00", "#cc79a7",
-                                                                                "#56b4e9"};
-  return kColors[zone.rule.index()];
-}
-
-// The angle of the lines that hatch a role [degrees]: each has its own.
-std::string_view slant_of(const std::string& role) {
-  if (role == "keepout") return "45";
-  return role == "speed_limit" ? "-45" : "0";
-}
-
-// A pattern of parallel lines, in meters.
-std::string hatch(const std::string& role, const std::string& color, double scale) {
-  const std::string width = shortest_text(kHatch / scale), line = shortest_text(kHatchLine / scale);
-  return "<pattern id=\"hatch-" + role + "\" patternUnits=\"userSpaceOnUse\" width=\"" + width + "\" height=\"" +
-         width + "\" patternTransform=\"rotate(" + std::string(slant_of(role)) + ")\"><path d=\"M0 0V" + width +
-         "\" stroke=\"" + color + "\" stroke-width=\"" + line + "\"/></pattern>\n";
-}
-
-// A pattern of arrows in a direction, in meters.
-std::string arrows(const std::string& id, double heading, const std::string& color, double scale) {
-  const auto text = [scale](double pixels) { return shortest_text(pixels / scale); };
-  const std::string middle = text(0.5 * kArrowAside), back = text(kArrow - kArrowHead);
-  return "<pattern id=\"" + id + "\" patternUnits=\"userSpaceOnUse\" width=\"" + text(kArrowAlong) + "\" height=\"" +
-         text(kArrowAside) + "\" patternTransform=\"rotate(" + rounded_text(heading * 180.0 / kPi) +
-         ")\"><path fill=\"none\" d=\"M0 " + middle + "H" + text(kArrow) + "M" + back + " " +
-         text(0.5 * kArrowAside - kArrowHead) + "L" + text(kArrow) + " " + middle + "L" + back + " " +
-         text(0.5 * kArrowAside + kArrowHead) + "\" stroke=\"" + color + "\" stroke-width=\"" + text(kHatchLine) +
-         "\"/></pattern>\n";
-}
-
-// "school 2 m/s", "dock for van", "lane 1.57 ± 0.1 rad", "hall 0.5 m, 10 s/m", "zone 3".
-std::string legend_text(const Zone& zone, std::size_t index) {
-  std::string text = zone.name.empty() ? "zone " + std::to_string(index) : zone.name;
-  if (const auto* limit = std::get_if<SpeedLimit>(&zone.rule))
-    return text + " " + rounded_text(limit->max_speed) + " m/s";
-  if (const auto* way = std::get_if<OneWay>(&zone.rule))
-    return text + " " + rounded_text(way->heading) + " \u00B1 " + rounded_text(way->tolerance) + " rad";
-  if (const auto* clear = std::get_if<KeepClear>(&zone.rule))
-    return text + " " + rounded_text(clear->distance) + " m, " + rounded_text(clear->cost) + " s/m";
-  const std::vector<std::string>& vehicles = std::get<KeepOut>(zone.rule).vehicles;
-  for (std::size_t i = 0; i < vehicles.size(); ++i) text += (i == 0 ? " for " : " and ") + vehicles[i];
-  return text;
 }
 
 Box region_of(const World& world) {
@@ -238,13 +143,10 @@ void SvgPicture::add_zones(const World& world) {
     const Zone& zone = world.zones()[i];
     const std::string role = role_of(zone);
     const std::string color(zone_color(zone));
-    std::string pattern = "hatch-" + role;
-    if (const auto* way = std::get_if<OneWay>(&zone.rule)) {
-      pattern += "-" + std::to_string(i);
-      zones_ += arrows(pattern, way->heading, color, scale_);
-    } else if (!legends.contains(role)) {
-      zones_ += hatch(role, color, scale_);
-    }
+    // Zones of one role share a pattern, but for arrows: each has a heading of its own.
+    const bool shared = !std::holds_alternative<OneWay>(zone.rule);
+    const std::string pattern = "hatch-" + role + (shared ? "" : "-" + std::to_string(i));
+    if (!shared || !legends.contains(role)) zones_ += zone_pattern(zone, pattern, scale_);
     zones_ += "<path fill=\"url(#" + pattern + ")\" " + stroke(color, 1.2) + " d=\"";
     add_ring(zones_, zone.area.outer);
     for (const Ring& hole : zone.area.holes) add_ring(zones_, hole);
@@ -433,15 +335,15 @@ void SvgPicture::add_speeds(const Trajectory& trajectory) {
       path_ += 'L';
       append_point(path_, states[i].pose.position());
     }
-    path_ += "\" " + stroke(speed_color(step / kSpeedColors), 3.0);
+    path_ += "\" " + stroke(viridis(step / kSpeedColors), 3.0);
     if (gear == Gear::kReverse)
       path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
     path_ += "/>\n";
   }
   legend_ = "<linearGradient id=\"speeds\">";
-  for (std::size_t i = 0; i < kViridis.size(); ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kViridis.size() - 1);
-    legend_ += "<stop offset=\"" + shortest_text(share) + "\" stop-color=\"" + speed_color(share) + "\"/>";
+  for (std::size_t i = 0; i < kViridisSteps; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kViridisSteps - 1);
+    legend_ += "<stop offset=\"" + shortest_text(share) + "\" stop-color=\"" + viridis(share) + "\"/>";
   }
   legend_ += "</linearGradient>\n<g id=\"legend\" fill=\"#2b3340\" transform=\"translate(" + shortest_text(kBorder) +
              " {y})\"><text y=\"12\">0</text><rect x=\"16\" width=\"160\" height=\"14\" fill=\"url(#speeds)\"/>"
@@ -702,30 +604,6 @@ std::string SvgPicture::str() const {
   append_captions(out, captions);
   out += "</svg>\n";
   return out;
-}
-
-void write_svg(const std::filesystem::path& path, const PlanResult& result) {
-  if (!result.scene)
-    throw std::invalid_argument("write_svg: no planner made this result, so that its world is not known");
-  const Body body = result.scene->vehicle.body();
-  const Path driven = result.path();
-  Box view = result.scene->world.box();
-  std::vector<Vec2> places = polyline(driven, std::max(body.length(), 1e-4 * result.length));
-  places.insert(places.end(), {result.start.position(), result.goal.position()});
-  for (const Vec2& p : places) view.extend(Box{p, p}.grown(body.farthest()));
-  SvgPicture picture(result.scene->world, view);
-  picture.add_axes();
-  if (result.solved()) {
-    picture.add_swept_area(driven, body);
-    picture.add_path(driven, body, to_string(result));
-    picture.add_speeds(result.trajectory());
-  } else {
-    picture.add_bodies(std::vector{result.start, result.goal}, body);
-    picture.add_poses(result.start, result.goal, body);
-    picture.add_caption(to_string(result));
-  }
-  picture.set_title(name_of(result.status));
-  write_file_atomically(path, picture.str());
 }
 
 }  // namespace arcway
