@@ -11,25 +11,29 @@ namespace arcway::internal {
 
 /// A number of values. Each is made when first asked for, and kept until the cache is destroyed. Lock-free: if two
 /// threads make the same value at once, one of the two is dropped. Making a value must therefore have no side effects,
-/// and always the same result. An empty cache takes an eighth of a byte a value.
+/// and always the same result. An empty cache takes a byte for 512 values.
 template <class Value>
 class SlotCache {
  public:
-  explicit SlotCache(std::size_t count) : chunks_((count + kSlots - 1) / kSlots) {}
+  explicit SlotCache(std::size_t count) : blocks_((count + kBlockSlots - 1) / kBlockSlots) {}
   SlotCache(const SlotCache&) = delete;
   SlotCache& operator=(const SlotCache&) = delete;
   ~SlotCache() {
-    for (const auto& place : chunks_) {
-      const Chunk* const chunk = place.load(std::memory_order_relaxed);
-      if (!chunk) continue;
-      for (const auto& slot : chunk->slots) delete slot.load(std::memory_order_relaxed);
-      delete chunk;
+    for (const auto& of_block : blocks_) {
+      const std::unique_ptr<const Block> block(of_block.load(std::memory_order_relaxed));
+      if (!block) continue;
+      for (const auto& of_chunk : block->chunks) {
+        const std::unique_ptr<const Chunk> chunk(of_chunk.load(std::memory_order_relaxed));
+        if (!chunk) continue;
+        for (const auto& slot : chunk->slots) delete slot.load(std::memory_order_relaxed);
+      }
     }
   }
 
   /// The value of slot i, if it has been made.
   [[nodiscard]] const Value* find(std::size_t i) const {
-    const Chunk* const chunk = chunks_[i / kSlots].load(std::memory_order_acquire);
+    const Block* const block = blocks_[i / kBlockSlots].load(std::memory_order_acquire);
+    const Chunk* const chunk = block ? block->chunks[i / kSlots % kChunks].load(std::memory_order_acquire) : nullptr;
     return chunk ? chunk->slots[i % kSlots].load(std::memory_order_acquire) : nullptr;
   }
 
@@ -48,30 +52,43 @@ class SlotCache {
   /// Calls visit(i, value) for each value that has been made, by slot.
   template <class Visitor>
   void visit(Visitor&& visit) const {
-    for (std::size_t c = 0; c < chunks_.size(); ++c) {
-      const Chunk* const chunk = chunks_[c].load(std::memory_order_acquire);
-      if (!chunk) continue;
-      for (std::size_t i = 0; i < kSlots; ++i)
-        if (const Value* value = chunk->slots[i].load(std::memory_order_acquire)) visit(c * kSlots + i, *value);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const Block* const block = blocks_[b].load(std::memory_order_acquire);
+      if (!block) continue;
+      for (std::size_t c = 0; c < kChunks; ++c) {
+        const Chunk* const chunk = block->chunks[c].load(std::memory_order_acquire);
+        if (!chunk) continue;
+        for (std::size_t i = 0; i < kSlots; ++i)
+          if (const Value* value = chunk->slots[i].load(std::memory_order_acquire))
+            visit((b * kChunks + c) * kSlots + i, *value);
+      }
     }
   }
 
  private:
-  static constexpr std::size_t kSlots = 64;  // of a chunk: circles of three obstacles of ten vertices
+  static constexpr std::size_t kSlots = 64;   // of a chunk: circles of three obstacles of ten vertices
+  static constexpr std::size_t kChunks = 64;  // of a block
+  static constexpr std::size_t kBlockSlots = kSlots * kChunks;
   struct Chunk {
     std::array<std::atomic<const Value*>, kSlots> slots{};
   };
+  struct Block {
+    std::array<std::atomic<Chunk*>, kChunks> chunks{};
+  };
 
+  // What a place points to, made first if need be.
+  template <class Part>
+  static Part& made_at(std::atomic<Part*>& place) {
+    if (Part* known = place.load(std::memory_order_acquire)) return *known;
+    auto made = std::make_unique<Part>();
+    Part* other = nullptr;
+    return place.compare_exchange_strong(other, made.get(), std::memory_order_acq_rel) ? *made.release() : *other;
+  }
   Chunk& chunk_of(std::size_t i) const {
-    std::atomic<Chunk*>& place = chunks_[i / kSlots];
-    Chunk* chunk = place.load(std::memory_order_acquire);
-    if (chunk) return *chunk;
-    auto made = std::make_unique<Chunk>();
-    if (place.compare_exchange_strong(chunk, made.get(), std::memory_order_acq_rel)) return *made.release();
-    return *chunk;
+    return made_at(made_at(blocks_[i / kBlockSlots]).chunks[i / kSlots % kChunks]);
   }
 
-  mutable HugeVector<std::atomic<Chunk*>> chunks_;
+  mutable HugeVector<std::atomic<Block*>> blocks_;
 };
 
 }  // namespace arcway::internal
