@@ -124,10 +124,7 @@ std::optional<std::vector<VertexId>> find_stale(const LazyRows& rows, const Worl
   if (!viewers) return std::nullopt;
   for (const VertexId v : *viewers) add(now(v));
   const NearBoxes near(places);
-  Box all;
-  for (const Box& place : places) all.extend(place);
-  for (ObstacleId o = 0; o < after.region_count(); ++o) {
-    if (!all.overlaps(after.box_of(o)) || !near.may_meet(after.box_of(o))) continue;
+  for (const ObstacleId o : after.regions_meeting(places)) {
     const auto [first, last] = after.vertices_of(o);
     for (VertexId v = first; v < last; ++v)
       if (near.may_meet(Box{after.vertex(v), after.vertex(v)})) add(v);

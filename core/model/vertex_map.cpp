@@ -50,7 +50,9 @@ VertexMap VertexMap::then(const VertexMap& next) const {
       removed.push_back({first, first + count});
     }
   }
-  std::ranges::sort(removed, {}, &World::VertexRange::first);
+  // Both parts ascend.
+  std::ranges::inplace_merge(removed, removed.begin() + static_cast<std::ptrdiff_t>(removed_.size()), {},
+                             &World::VertexRange::first);
   return {std::move(removed), {next.first_added_ - still_added, next.end_added_}};
 }
 

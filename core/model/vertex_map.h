@@ -12,6 +12,9 @@ namespace arcway::internal {
 class VertexMap {
  public:
   explicit VertexMap(const WorldChange& change);
+  /// @param removed  the vertices of each removed obstacle, before the change, ascending.
+  /// @param added    the added vertices, after it.
+  VertexMap(std::vector<World::VertexRange> removed, World::VertexRange added);
 
   /// The vertex after the changes; kNone if it was removed. O(log obstacles removed).
   [[nodiscard]] VertexId after(VertexId before) const;
@@ -32,8 +35,6 @@ class VertexMap {
   [[nodiscard]] World::VertexRange added() const { return {first_added_, end_added_}; }
 
  private:
-  VertexMap(std::vector<World::VertexRange> removed, World::VertexRange added);
-
   std::vector<World::VertexRange> removed_;
   std::vector<VertexId> removed_up_to_;  // number of vertices removed in front of each of these ranges; and of all
   VertexId first_added_, end_added_;

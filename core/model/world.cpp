@@ -6,18 +6,21 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "arcway/world_change.h"
 #include "core/base/huge_pages.h"
 #include "core/base/spare.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/ray_parity.h"
 #include "core/model/world_checks.h"
 #include "core/model/world_coverage.h"
+#include "core/model/world_history.h"
 #include "core/model/world_zones.h"
 
 namespace arcway {
@@ -30,9 +33,12 @@ constexpr std::size_t kScanVertices = 64;
 // Edges examined region by region, per vertex, after which one sweep over all edges takes over.
 constexpr std::size_t kRegionPatience = 128;
 // Share of the obstacles that may differ, beside some of any world, where a change takes the arrays of a world that is
-// gone. It looks again which vertices near these obstacles are covered.
+// gone, or the index of regions of a world before. It looks again which vertices near these obstacles are covered, and
+// at each added one whenever regions are looked up.
 constexpr std::size_t kMostOthersOf = 8;
 constexpr std::size_t kOthersOfAny = 64;
+
+bool are_few(std::size_t obstacles, std::size_t of) { return obstacles * kMostOthersOf <= of + kOthersOfAny; }
 
 std::size_t vertex_count_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
@@ -71,14 +77,60 @@ struct World::Data {
   std::optional<ObstacleKey> next_key;  // of the next obstacle that is added; none: keys are ids, nothing was removed
   std::vector<ObstacleKey> keys;        // of the obstacles, ascending, where they are no ids
   std::vector<std::uint64_t> stamps;    // one a region: regions of equal stamps are the same, in all worlds
-  std::shared_ptr<Spare<Data>> spare = std::make_shared<Spare<Data>>();  // of all worlds of one origin
+  WorldHistory history;                 // from the first world of its origin
+  // What all worlds have in common that come from one by changes.
+  struct Origin {
+    Spare<Data> spare;
+    std::once_flag indexed;
+    BoxTree obstacles;                                   // of the first world, without its bounds
+    std::vector<VertexId> first_vertex;                  // of each of these obstacles
+    std::shared_ptr<const HugeVector<VertexId>> convex;  // graph vertices of the first world
+  };
+  std::shared_ptr<Origin> origin = std::make_shared<Origin>();
 
   // Gives its arrays to the next change when it is gone.
   static std::shared_ptr<const Data> shared(std::unique_ptr<Data> data) {
     return {data.release(), [](Data* gone) {
-              const std::shared_ptr<Spare<Data>> receiver = std::move(gone->spare);
-              receiver->give(std::unique_ptr<Data>(gone));
+              const std::shared_ptr<Origin> receiver = std::move(gone->origin);
+              receiver->spare.give(std::unique_ptr<Data>(gone));
             }};
+  }
+
+  // Begins a new origin.
+  void begin_history() {
+    history = WorldHistory(next_stamp(), region_starts[obstacle_count()]);
+    origin = std::make_shared<Origin>();
+  }
+
+  // Precondition: this is the first world of the origin, or another one was indexed before.
+  void index_obstacles() const {
+    std::call_once(origin->indexed, [this] {
+      origin->convex = std::make_shared<const HugeVector<VertexId>>(convex_vertices);
+      if (obstacle_count() == 0) return;
+      origin->obstacles = BoxTree(std::span(boxes).first(obstacle_count()));
+      origin->first_vertex.assign(region_starts.begin(), region_starts.begin() + obstacle_count());
+    });
+  }
+
+  // The regions whose boxes meet one of some places, ascending.
+  [[nodiscard]] std::vector<ObstacleId> regions_meeting(std::span<const Box> places) const {
+    index_obstacles();
+    std::vector<ObstacleId> found;
+    const auto [first_added, end_added] = history.map().added();
+    const ObstacleId first_other =
+        first_added < end_added ? obstacle_of[first_added] : static_cast<ObstacleId>(obstacle_count());
+    for (const Box& place : places) {
+      origin->obstacles.visit_overlaps(place, [&](std::uint32_t o) {
+        const VertexId now = history.map().after(origin->first_vertex[o]);
+        if (now != kNone) found.push_back(obstacle_of[now]);
+        return true;
+      });
+      for (ObstacleId o = first_other; o < boxes.size(); ++o)
+        if (boxes[o].overlaps(place)) found.push_back(o);
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
   // Vertices inside an edge of their own region, whichever of its sides their ring is on.
@@ -146,11 +198,15 @@ struct World::Data {
     }
   }
 
-  // The number of first obstacles that this world has in common with what is left of another one.
-  [[nodiscard]] std::size_t count_common(const Data& other, std::span<const ObstacleId> removed) const {
-    std::size_t common = 0;
+  // The number of first obstacles that this world has in common with what is left of another one of its origin.
+  // @param left  from the first world of the origin to what is left.
+  [[nodiscard]] std::size_t count_common(const Data& other, std::span<const ObstacleId> removed,
+                                         const VertexMap& left) const {
+    const VertexId vertices_in_common = left.common_with(history.map());
+    std::size_t common = static_cast<std::size_t>(std::ranges::upper_bound(region_starts, vertices_in_common) -
+                                                  region_starts.begin() - 1);
     bool differs = false;
-    visit_kept(removed, other.obstacle_count(), 0, [&](ObstacleId begin, ObstacleId end) {
+    visit_kept(removed, other.obstacle_count(), common, [&](ObstacleId begin, ObstacleId end) {
       if (differs) return;
       const auto range = std::span(other.stamps).subspan(begin, end - begin);
       const auto mine = std::span(stamps).first(obstacle_count()).subspan(common);
@@ -161,6 +217,25 @@ struct World::Data {
     return common;
   }
 
+  // The regions that were added since the first world of the origin.
+  [[nodiscard]] std::pair<ObstacleId, ObstacleId> added_regions() const {
+    const auto [first, last] = history.map().added();
+    if (first == last) return {obstacle_count(), obstacle_count()};
+    return {obstacle_of[first], obstacle_of[last - 1] + 1};
+  }
+
+  // Appends the boxes of obstacles that this world has and another one of its origin has not.
+  void append_others(const Data& other, std::vector<Box>& places) const {
+    for (const VertexRange& range : other.history.map().removed())
+      if (const VertexId v = history.map().after(range.first); v != kNone) places.push_back(boxes[obstacle_of[v]]);
+    const auto [theirs, their_end] = other.added_regions();
+    std::vector<std::uint64_t> known(other.stamps.begin() + theirs, other.stamps.begin() + their_end);
+    std::ranges::sort(known);
+    const auto [mine, my_end] = added_regions();
+    for (ObstacleId o = mine; o < my_end; ++o)
+      if (!std::ranges::binary_search(known, stamps[o])) places.push_back(boxes[o]);
+  }
+
   // Keeps the first regions only. Their vertices may be covered by others than before.
   void truncate(std::size_t regions) {
     const VertexId count = region_starts[regions];
@@ -169,35 +244,51 @@ struct World::Data {
     edges.resize(count);
     convex.resize(count);
     covered.resize(count);
-    convex_vertices.erase(std::ranges::lower_bound(convex_vertices, count), convex_vertices.end());
     region_starts.resize(regions + 1);
     region_rings.resize(regions + 1);
     ring_starts.resize(region_rings.back());
     boxes.resize(regions);
     stamps.resize(regions);
     has_bounds = false;
-    box = Box();
-    for (const Box& of_region : boxes) box.extend(of_region);
   }
 
   // What a change of another world begins with: arrays of a world that is gone, with the first obstacles of those that
-  // remain. No obstacles if they have few in common: copies are made faster than coverage is looked at again.
-  // @param places  becomes the boxes of obstacles that the arrays held beside these.
-  static std::unique_ptr<Data> begin_change(const Data& old, std::span<const ObstacleId> removed,
+  // remain. No obstacles if they differ in many: copies are made faster than coverage is looked at again.
+  // @param left  from the first world of the origin to what is left.
+  // @param places  becomes the boxes of obstacles that only one of these two worlds has.
+  static std::unique_ptr<Data> begin_change(const Data& old, std::span<const ObstacleId> removed, const VertexMap& left,
                                             std::vector<Box>& places) {
-    std::unique_ptr<Data> data = old.spare->take();
-    const std::size_t common = data ? data->count_common(old, removed) : 0;
-    const std::size_t others = std::max<std::size_t>(old.obstacle_count(), data ? data->obstacle_count() : 0) - common;
-    if (!data || !data->contacts.empty() || !old.contacts.empty() ||
-        others * kMostOthersOf > old.obstacle_count() + kOthersOfAny) {
-      data = std::make_unique<Data>();
-    } else {
-      places.assign(data->boxes.begin() + static_cast<std::ptrdiff_t>(common),
-                    data->boxes.begin() + data->obstacle_count());
-      data->truncate(common);
+    std::unique_ptr<Data> data = old.origin->spare.take();
+    const bool is_of_use = data && data->contacts.empty() && old.contacts.empty();
+    if (is_of_use) {
+      data->append_others(old, places);
+      old.append_others(*data, places);
     }
-    data->spare = old.spare;
+    if (!is_of_use || !are_few(places.size(), old.obstacle_count())) {
+      places.clear();
+      if (!data) data = std::make_unique<Data>();
+      data->contacts.clear();
+      data->contacts_by_vertex.clear();
+      data->truncate(0);
+      data->history = WorldHistory();
+    } else {
+      data->truncate(data->count_common(old, removed, left));
+    }
+    data->origin = old.origin;
     return data;
+  }
+
+  // The box of what is left of a world without some obstacles.
+  [[nodiscard]] Box box_without(std::span<const ObstacleId> removed) const {
+    const auto is_inside = [&](ObstacleId o) {
+      return (boxes[o].min.array() > box.min.array()).all() && (boxes[o].max.array() < box.max.array()).all();
+    };
+    if (std::ranges::all_of(removed, is_inside)) return box;
+    Box left;
+    visit_kept(removed, static_cast<ObstacleId>(boxes.size()), 0, [&](ObstacleId begin, ObstacleId end) {
+      for (ObstacleId o = begin; o < end; ++o) left.extend(boxes[o]);
+    });
+    return left;
   }
 
   // Regions [begin, end) of another world, after the last one of this one, with all that is known about them.
@@ -278,39 +369,45 @@ struct World::Data {
 
   [[nodiscard]] bool is_graph_vertex(VertexId v) const { return convex[v] && !covered[v]; }
 
-  // @param listed  number of first vertices that are done.
-  void list_convex_vertices(VertexId listed = 0) {
-    for (VertexId v = listed; v < vertices.size(); ++v)
+  // @param same  number of first vertices for which the list is right.
+  void list_convex_vertices(VertexId same = 0) {
+    convex_vertices.erase(std::ranges::lower_bound(convex_vertices, same), convex_vertices.end());
+    for (VertexId v = same; v < vertices.size(); ++v)
       if (is_graph_vertex(v)) convex_vertices.push_back(v);
   }
 
-  // Decides which vertices are covered after a change, and lists the convex ones.
+  // Decides which vertices are covered after a change, and returns those for which that is another answer than before.
   // @param places  boxes of obstacles that were removed or added.
-  // @param added   new vertices.
-  // @param listed  number of first vertices whose convex ones are listed as before the change.
-  void update_covered(const std::vector<Box>& places, const VertexRange& added, VertexId listed) {
+  // @param change  from `old`.
+  std::vector<VertexId> update_covered(const std::vector<Box>& places, const Data& old, const VertexMap& change) {
+    if (places.empty()) return {};
     const BoxTree tree(places);
-    Box all;
-    for (const Box& place : places) all.extend(place);
-    const auto has_changed = [&](const Box& where) {
-      return all.overlaps(where) && !tree.visit_overlaps(where, [](std::uint32_t) { return false; });
-    };
+    std::vector<ObstacleId> regions = regions_meeting(places);
     std::vector<VertexId> doubtful;
-    for (ObstacleId o = 0; o < boxes.size(); ++o) {
-      if (!has_changed(boxes[o])) continue;
-      for (VertexId v = region_starts[o]; v < region_starts[o + 1]; ++v) {
-        const bool is_new = added.first <= v && v < added.last;
-        if (is_new || has_changed(Box{vertices[v], vertices[v]})) doubtful.push_back(v);
-      }
-    }
-    std::vector<bool> before;
-    before.reserve(doubtful.size());
-    for (const VertexId v : doubtful) before.push_back(covered[v]);
-    mark_covered(doubtful);
-    for (std::size_t i = 0; i < doubtful.size(); ++i)
-      if (doubtful[i] < listed && covered[doubtful[i]] != before[i]) listed = 0;
-    if (listed == 0) convex_vertices.clear();
-    list_convex_vertices(listed);
+    for (const ObstacleId o : regions)
+      for (VertexId v = region_starts[o]; v < region_starts[o + 1]; ++v)
+        if (!tree.visit_overlaps(Box{vertices[v], vertices[v]}, [](std::uint32_t) { return false; }))
+          doubtful.push_back(v);
+    // What is outside of the bounds is covered by them, wherever their box is.
+    if (has_bounds && (regions.empty() || !is_bounds(regions.back()))) regions.push_back(obstacle_count());
+    mark_covered(doubtful, regions);
+    std::erase_if(doubtful, [&](VertexId v) {
+      const VertexId before = change.before(v);
+      return before == kNone || covered[v] == old.covered[before];
+    });
+    return doubtful;
+  }
+
+  // Completes this after a change of another world: coverage, the list of convex vertices and the history.
+  // @param places  boxes of obstacles that were removed or added, or that only the world had whose arrays these were.
+  void follow(const Data& old, const VertexMap& change, const std::vector<Box>& places) {
+    const WorldHistory of_arrays = std::move(history);
+    history = WorldHistory(old.history, change, {}, origin->convex);
+    const std::vector<VertexId> flipped = update_covered(places, old, change);
+    history = WorldHistory(old.history, change, flipped, origin->convex);
+    list_convex_vertices(history.common_with(of_arrays));
+    const auto [first, last] = added_regions();
+    if (!are_few(last - first, obstacle_count())) begin_history();
   }
 
   [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
@@ -409,17 +506,24 @@ struct World::Data {
   }
 
   // Decides which of these vertices are covered.
-  void mark_covered(std::span<const VertexId> which) {
+  // @param regions  all that may cover one of them.
+  void mark_covered(std::span<const VertexId> which, std::span<const ObstacleId> regions) {
     covered.resize(vertices.size());
     for (const VertexId v : which) covered[v] = false;
-    std::vector<ObstacleId> regions(boxes.size());
-    std::iota(regions.begin(), regions.end(), ObstacleId{0});
     if (mark_inside(regions, which, kRegionPatience * vertices.size())) return;
-    Coverage coverage = sweep_coverage(edges, obstacle_of, has_bounds ? regions.back() : kNone);
+    Coverage coverage = sweep_coverage(edges, obstacle_of, has_bounds ? obstacle_count() : kNone);
     covered = std::move(coverage.covered);
     HugeVector<VertexId> all(vertices.size());
     std::iota(all.begin(), all.end(), VertexId{0});
     mark_inside(coverage.left_over, all, std::numeric_limits<std::size_t>::max());
+  }
+
+  void mark_all_covered() {
+    HugeVector<VertexId> all(vertices.size());
+    std::iota(all.begin(), all.end(), VertexId{0});
+    std::vector<ObstacleId> regions(boxes.size());
+    std::iota(regions.begin(), regions.end(), ObstacleId{0});
+    mark_covered(all, regions);
   }
 
   // Marks those of the vertices that lie strictly inside one of the regions.
@@ -505,10 +609,9 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
   }
   data->connect(0, std::move(touches));
   data->derive_edges();
-  HugeVector<VertexId> all(data->vertices.size());
-  std::iota(all.begin(), all.end(), VertexId{0});
-  data->mark_covered(all);
+  data->mark_all_covered();
   data->list_convex_vertices();
+  data->begin_history();
   data_ = std::move(data);
 }
 
@@ -543,6 +646,7 @@ World World::from_snapshot(WorldSnapshot snapshot) {
   data->sort_contacts();
   data->derive_edges();
   data->list_convex_vertices();
+  data->begin_history();
   World world(std::vector<Polygon>{});
   world.data_ = std::move(data);
   world.zones_ = Zones::of(std::move(snapshot.zones), snapshot.keep_outs);
@@ -573,16 +677,22 @@ World World::with_obstacles_changed(std::span<const ObstacleId> removed, const s
       throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + " follows " +
                                   std::to_string(removed[i - 1]) + ": they must ascend");
   }
+  old.index_obstacles();
+  std::vector<VertexRange> gone;
+  for (const ObstacleId o : removed) gone.push_back(vertices_of(o));
+  const auto change_with = [&](VertexRange new_ones) { return VertexMap(gone, new_ones); };
+  VertexId left = old.region_starts[obstacles];  // vertices of obstacles
+  for (const VertexRange& range : gone) left -= range.last - range.first;
   std::vector<Box> places;
-  std::unique_ptr<Data> data = Data::begin_change(old, removed, places);
+  std::unique_ptr<Data> data =
+      Data::begin_change(old, removed, old.history.map().then(change_with({left, left})), places);
   data->reserve(old.vertices.size() + vertex_count_of(added));
   const std::size_t common = data->boxes.size();
   for (const ObstacleId o : removed) places.push_back(old.boxes[o]);
-  Data::visit_kept(removed, obstacles, common, [&](ObstacleId begin, ObstacleId end) {
-    if (common > 0) places.insert(places.end(), old.boxes.begin() + begin, old.boxes.begin() + end);
-    data->copy_regions(old, begin, end);
-  });
+  Data::visit_kept(removed, obstacles, common,
+                   [&](ObstacleId begin, ObstacleId end) { data->copy_regions(old, begin, end); });
   const auto first_added = static_cast<VertexId>(data->vertices.size());
+  data->box = old.box_without(removed);
   Data::Touches touches;
   for (const Polygon& polygon : added) {
     const auto id = static_cast<ObstacleId>(data->boxes.size());
@@ -600,7 +710,7 @@ World World::with_obstacles_changed(std::span<const ObstacleId> removed, const s
   }
   require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
   data->take_keys(old, removed, common);
-  data->update_covered(places, {first_added, end_added}, data->region_starts[common]);
+  data->follow(old, change_with({first_added, end_added}), places);
   World world = *this;
   world.data_ = Data::shared(std::move(data));
   return world;
@@ -654,6 +764,10 @@ std::span<const VertexId> World::ring_starts(ObstacleId o) const {
 
 const Box& World::box_of(ObstacleId o) const { return data_->boxes[o]; }
 const Box& World::box() const { return data_->box; }
+std::vector<ObstacleId> World::regions_meeting(std::span<const Box> boxes) const {
+  return data_->regions_meeting(boxes);
+}
+const WorldHistory& World::history() const { return data_->history; }
 PointLocation World::locate(const Vec2& p, ObstacleId o) const { return data_->locate(p, o); }
 
 World World::from_polygons(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {

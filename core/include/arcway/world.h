@@ -19,6 +19,9 @@
 
 namespace arcway {
 
+namespace internal {
+class WorldHistory;
+}
 class Vehicle;
 
 /// Index of a vertex. Vertices are numbered in the order of the input: obstacle by obstacle, the outer ring before its
@@ -102,8 +105,9 @@ class ARCWAY_API World {
   [[nodiscard]] WorldSnapshot snapshot() const;
 
   /// The world without some of the obstacles, and with others after its last one. The remaining ones keep their order
-  /// and their keys, but not their ids. Only what is new is checked, and coverage is updated near the change. O(n + m
-  /// log m) for m vertices added or removed, and O(k) for each of them among k obstacles.
+  /// and their keys, but not their ids. Only what is new is checked, and coverage is updated near the change. O(m log
+  /// n) for m vertices added or removed, and what is near them. Arrays of a world of the same origin that is gone are
+  /// used again: what follows the first vertex that the two have not in common is copied.
   /// @param removed  obstacles, ascending.
   /// @throws std::invalid_argument if `removed` does not ascend or names no obstacle.
   /// @throws WorldError with the index that a refused obstacle has in the new world.
@@ -174,9 +178,16 @@ class ARCWAY_API World {
   /// The box of all vertices [m]; empty for a world without any.
   [[nodiscard]] const Box& box() const;
 
+  /// The regions whose boxes meet one of some boxes, ascending. The first call takes O(n log n) for all worlds that
+  /// come from one by changes; O((log n + k) m) then for m boxes, k regions found for each, and added obstacles.
+  [[nodiscard]] std::vector<ObstacleId> regions_meeting(std::span<const Box> boxes) const;
+
   /// Where a point lies relative to one region: an obstacle, or the outside of the bounds. Exact. O(vertices of the
   /// region).
   [[nodiscard]] PointLocation locate(const Vec2& p, ObstacleId o) const;
+
+  /// The changes that led here.
+  [[nodiscard]] const internal::WorldHistory& history() const;
 
  private:
   struct Data;

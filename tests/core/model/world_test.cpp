@@ -302,6 +302,34 @@ TEST(World, IsAfterAnyChangesTheSameAsMadeAnew) {
   }
 }
 
+// Before and after changes, by boxes that meet none, some, or a place of which one of two obstacles is gone.
+TEST(World, FindsTheRegionsThatMeetBoxes) {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomInputs random(seed);
+    const MapFile map = to_map_file(test::nasty_world(seed, 14));
+    KnownWorld known{World(map.obstacles, map.bounds), map.obstacles};
+    for (int step = 0; step < 12 && !known.world.vertices().empty(); ++step) {
+      std::vector<Box> boxes(static_cast<std::size_t>(random.integer(0, 3)));
+      for (Box& box : boxes) {
+        const Vec2& corner = known.world.vertex(
+            static_cast<VertexId>(random.integer(0, static_cast<std::int64_t>(known.world.vertices().size()) - 1)));
+        box.extend(corner);
+        box.extend(corner + random.uniform(0.0, 3.0) * Vec2(1.0, 0.5));
+      }
+      std::vector<ObstacleId> expected;
+      for (ObstacleId o = 0; o < known.world.region_count(); ++o)
+        if (std::ranges::any_of(boxes, [&](const Box& box) { return box.overlaps(known.world.box_of(o)); }))
+          expected.push_back(o);
+      EXPECT_EQ(known.world.regions_meeting(boxes), expected);
+      found += expected.size();
+      known = changed_at_random(known, random);
+    }
+  }
+  EXPECT_GT(found, 500u);
+}
+
 // Coverage far from a change is copied, and near it is looked at again, also where a world that is gone differed.
 TEST(World, KnowsWhatIsCoveredWhereArraysAreUsedAgain) {
   std::vector<Polygon> obstacles;
