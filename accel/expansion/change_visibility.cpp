@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "accel/expansion/straight_boundary.h"
-#include "core/geometry/box_tree.h"
 #include "core/geometry/predicates.h"
 
 namespace arcway::internal {
@@ -41,19 +40,65 @@ std::vector<Vec2> convex_hull_of_sorted(std::span<const Vec2> points) {
 
 }  // namespace
 
-TriangleBlocks::TriangleBlocks(const FreeSpaceTriangulation& triangulation) {
+TriangleBlocks::TriangleBlocks(const FreeSpaceTriangulation& triangulation)
+    : triangles_(triangulation.half_edges().size() / 3), points_(triangulation.points().size()) {
   const std::span<const Vec2> points = triangulation.points();
-  const std::size_t half_edges = triangulation.half_edges().size();
-  triangles_.resize(half_edges / 3 / kInBlock + 1);
-  for (std::size_t i = 0; i < half_edges; ++i)
-    triangles_[i / 3 / kInBlock].extend(points[triangulation.half_edges()[i].point]);
-  points_.resize(points.size() / kInBlock + 1);
+  for (std::size_t i = 0; i < triangulation.half_edges().size(); ++i)
+    triangles_.of(i / 3).extend(points[triangulation.half_edges()[i].point]);
   for (std::uint32_t point = 0; point < points.size(); ++point)
     for (const PlanarMap::Edge& boundary : triangulation.edges_from(point)) {
-      points_[point / kInBlock].extend(points[boundary.low]);
-      points_[point / kInBlock].extend(points[boundary.high]);
+      points_.of(point).extend(points[boundary.low]);
+      points_.of(point).extend(points[boundary.high]);
     }
+  triangles_.make_tree();
+  points_.make_tree();
   hull_ = convex_hull_of_sorted(points);
+}
+
+void TriangleBlocks::Blocks::make_tree() {
+  std::vector<Box> some;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].empty()) continue;
+    in_tree.push_back(i);
+    some.push_back(boxes[i]);
+  }
+  if (!some.empty()) tree = BoxTree(some);
+}
+
+TriangleBlocks::Ranges TriangleBlocks::Blocks::near(std::span<const Box> places) const {
+  std::vector<std::uint32_t> found;
+  for (const Box& place : places)
+    tree.visit_overlaps(place, [&](std::uint32_t i) {
+      found.push_back(in_tree[i]);
+      return true;
+    });
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  Ranges ranges;
+  for (const std::uint32_t block : found)
+    ranges.emplace_back(static_cast<std::uint32_t>(block * kInBlock),
+                        static_cast<std::uint32_t>(std::min(count, (block + 1) * kInBlock)));
+  return ranges;
+}
+
+void MarkedNumbers::mark(std::uint32_t n) {
+  std::unique_ptr<Page>& page = pages_[n / kInPage];
+  if (!page) page = std::make_unique<Page>();
+  (*page)[n % kInPage] = 1;
+}
+
+void MarkedNumbers::mark_all() {
+  for (std::uint32_t n = 0; n < count_; ++n) mark(n);
+}
+
+std::vector<std::uint32_t> MarkedNumbers::all() const {
+  std::vector<std::uint32_t> marked;
+  for (std::size_t p = 0; p < pages_.size(); ++p) {
+    if (!pages_[p]) continue;
+    for (std::size_t i = 0; i < kInPage; ++i)
+      if ((*pages_[p])[i] != 0) marked.push_back(static_cast<std::uint32_t>(p * kInPage + i));
+  }
+  return marked;
 }
 
 bool TriangleBlocks::hull_contains(const Box& box) const {
@@ -66,29 +111,21 @@ bool TriangleBlocks::hull_contains(const Box& box) const {
 void ChangeVisibility::mark_viewers(std::span<const Box> places) {
   const BoxTree tree(places);
   const auto meets_any = [&](const Box& box) { return !tree.visit_overlaps(box, [](std::uint32_t) { return false; }); };
-  const auto passes_over = [&](std::size_t first, const Box& block) {
-    return first % TriangleBlocks::kInBlock == 0 && !meets_any(block);
-  };
-  for (std::size_t triangle = 0; 3 * triangle < triangulation_.half_edges().size(); ++triangle) {
-    if (blocks_ && passes_over(triangle, blocks_->of_triangle(triangle))) {
-      triangle += TriangleBlocks::kInBlock - 1;
-      continue;
+  const auto triangles = static_cast<std::uint32_t>(triangulation_.half_edges().size() / 3);
+  const auto points = static_cast<std::uint32_t>(triangulation_.points().size());
+  for (const auto& [first, last] : blocks_ ? blocks_->triangles_near(places) : TriangleBlocks::Ranges{{0, triangles}})
+    for (std::uint32_t triangle = first; triangle < last; ++triangle) {
+      const Corners corners = corners_of(triangle);
+      tree.visit_overlaps(box_of(corners), [&](std::uint32_t i) {
+        if (meets(corners, places[i])) expand_out_of(triangle, corners, places[i]);
+        return !gives_up_;
+      });
+      if (gives_up_) return;
     }
-    const Corners corners = corners_of(triangle);
-    tree.visit_overlaps(box_of(corners), [&](std::uint32_t i) {
-      if (meets(corners, places[i])) expand_out_of(triangle, corners, places[i]);
-      return !gives_up_;
-    });
-    if (gives_up_) return;
-  }
-  for (std::uint32_t point = 0; point < triangulation_.points().size(); ++point) {
-    if (blocks_ && passes_over(point, blocks_->of_point(point))) {
-      point += TriangleBlocks::kInBlock - 1;
-      continue;
-    }
-    for (const PlanarMap::Edge& boundary : triangulation_.edges_from(point))
-      if (meets_any(box_of(std::array{boundary.low, boundary.high}))) follow_boundary(boundary);
-  }
+  for (const auto& [first, last] : blocks_ ? blocks_->points_near(places) : TriangleBlocks::Ranges{{0, points}})
+    for (std::uint32_t point = first; point < last; ++point)
+      for (const PlanarMap::Edge& boundary : triangulation_.edges_from(point))
+        if (meets_any(box_of(std::array{boundary.low, boundary.high}))) follow_boundary(boundary);
 }
 
 ChangeVisibility::Corners ChangeVisibility::corners_of(std::size_t triangle) const {
@@ -129,7 +166,7 @@ void ChangeVisibility::expand(const Source& source, Range range) {
     stack_.pop_back();
     while (half_edge != kNone) {
       if (++steps_ > kMostSteps * triangulation_.half_edges().size()) {  // marking all nodes is cheaper from here on
-        std::fill(seen_.begin(), seen_.end(), std::uint8_t{1});
+        seen_.mark_all();
         stack_.clear();
         gives_up_ = true;
         return;
@@ -160,7 +197,7 @@ void ChangeVisibility::follow_boundary(const PlanarMap::Edge& boundary) {
 }
 
 void ChangeVisibility::mark(std::uint32_t first_node) {
-  for (std::uint32_t n = first_node; n != kNone; n = triangulation_.nodes()[n].sibling) seen_[n] = 1;
+  for (std::uint32_t n = first_node; n != kNone; n = triangulation_.nodes()[n].sibling) seen_.mark(n);
 }
 
 bool ChangeVisibility::meets(const Corners& corners, const Box& place) const {

@@ -3,31 +3,68 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "accel/expansion/free_space_triangulation.h"
 #include "arcway/vec2.h"
+#include "core/geometry/box_tree.h"
 
 namespace arcway::internal {
 
 /// Boxes of triangles, and of boundary edges, that follow each other in memory: to find those near a place without
-/// looking at all; and the convex hull, beyond which there are no triangles. Immutable. O(n) to build, half a byte a
-/// vertex.
+/// looking at all; and the convex hull, beyond which there are no triangles. Immutable. O(n log n) to build, two bytes
+/// a vertex.
 class TriangleBlocks {
  public:
-  static constexpr std::size_t kInBlock = 64;
   explicit TriangleBlocks(const FreeSpaceTriangulation& triangulation);
 
-  [[nodiscard]] const Box& of_triangle(std::size_t triangle) const { return triangles_[triangle / kInBlock]; }
-  /// The box of all boundary edges that leave points of the same block.
-  [[nodiscard]] const Box& of_point(std::size_t point) const { return points_[point / kInBlock]; }
+  /// Ranges of numbers, ascending.
+  using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  /// All triangles whose box meets one of some boxes, and some others near them.
+  [[nodiscard]] Ranges triangles_near(std::span<const Box> boxes) const { return triangles_.near(boxes); }
+  /// All points that boundary edges leave whose box meets one of some boxes, and some others.
+  [[nodiscard]] Ranges points_near(std::span<const Box> boxes) const { return points_.near(boxes); }
   /// Whether a box lies within the convex hull of all points.
   [[nodiscard]] bool hull_contains(const Box& box) const;
 
  private:
-  std::vector<Box> triangles_, points_;
+  // The boxes of things that follow each other.
+  struct Blocks {
+    explicit Blocks(std::size_t the_count) : count(the_count), boxes(the_count / kInBlock + 1) {}
+    [[nodiscard]] Box& of(std::size_t i) { return boxes[i / kInBlock]; }
+    void make_tree();
+    [[nodiscard]] Ranges near(std::span<const Box> places) const;
+
+    static constexpr std::size_t kInBlock = 64;
+    std::size_t count;  // of things
+    std::vector<Box> boxes;
+    std::vector<std::uint32_t> in_tree;  // blocks that are not empty
+    BoxTree tree;                        // of these
+  };
+
+  Blocks triangles_, points_;
   std::vector<Vec2> hull_;  // counter-clockwise
+};
+
+/// Some of the numbers below a count. Takes memory where some are, and a thousandth of a byte a number elsewhere.
+class MarkedNumbers {
+ public:
+  explicit MarkedNumbers(std::size_t count) : count_(count), pages_(count / kInPage + 1) {}
+
+  void mark(std::uint32_t n);
+  void mark_all();
+  /// Those marked, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> all() const;
+
+ private:
+  static constexpr std::size_t kInPage = 4096;
+  using Page = std::array<std::uint8_t, kInPage>;
+
+  std::size_t count_;
+  std::vector<std::unique_ptr<Page>> pages_;  // null: none are marked there
 };
 
 /// Conservative visibility of a change: marks all nodes with a line of sight to some place, and some others.
@@ -46,13 +83,14 @@ class ChangeVisibility {
   /// @param triangulation  must have listed its left edges.
   /// @param blocks  of the triangulation; may be null.
   explicit ChangeVisibility(const FreeSpaceTriangulation& triangulation, const TriangleBlocks* blocks = nullptr)
-      : triangulation_(triangulation), blocks_(blocks), seen_(triangulation.nodes().size(), 0) {}
+      : triangulation_(triangulation), blocks_(blocks), seen_(triangulation.nodes().size()) {}
 
-  /// Marks the nodes that may see a point of the places. O(triangles log places + triangles seen), with blocks a
-  /// hundredth of the first; marks all nodes once several times as many triangles are seen as exist.
+  /// Marks the nodes that may see a point of the places. O(triangles log places + triangles seen), with blocks
+  /// O(log triangles) a place in place of the first; marks all nodes once several times as many triangles are seen as
+  /// exist.
   void mark_viewers(std::span<const Box> places);
-  /// By node: 1 if it may see one of the places.
-  [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
+  /// The nodes that may see one of the places, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> viewers() const { return seen_.all(); }
 
  private:
   struct Range {
@@ -78,7 +116,7 @@ class ChangeVisibility {
 
   const FreeSpaceTriangulation& triangulation_;
   const TriangleBlocks* blocks_;
-  std::vector<std::uint8_t> seen_;
+  MarkedNumbers seen_;  // nodes
   std::vector<Range> stack_;
   std::size_t steps_ = 0;
   bool gives_up_ = false;  // all nodes have been marked

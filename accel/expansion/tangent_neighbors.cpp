@@ -52,8 +52,7 @@ std::optional<std::vector<VertexId>> TangentNeighbors::viewers_of(std::span<cons
   ChangeVisibility visibility(data_->triangulation, &*data_->blocks);
   visibility.mark_viewers(places);
   std::vector<VertexId> viewers;
-  for (std::size_t n = 0; n < visibility.seen().size(); ++n)
-    if (visibility.seen()[n]) viewers.push_back(data_->triangulation.nodes()[n].vertex);
+  for (const std::uint32_t n : visibility.viewers()) viewers.push_back(data_->triangulation.nodes()[n].vertex);
   return viewers;
 }
 

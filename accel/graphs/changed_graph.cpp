@@ -41,8 +41,7 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
   if (!change.removed_boxes.empty()) {
     ChangeVisibility viewers(triangulation);
     viewers.mark_viewers(change.removed_boxes);
-    for (std::size_t n = 0; n < triangulation.nodes().size(); ++n)
-      if (viewers.seen()[n]) stale[triangulation.nodes()[n].vertex] = 1;
+    for (const std::uint32_t n : viewers.viewers()) stale[triangulation.nodes()[n].vertex] = 1;
   }
   return stale;
 }
