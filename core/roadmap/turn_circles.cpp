@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/world_history.h"
 #include "core/roadmap/tangent_edges.h"
 
 namespace arcway::internal {
@@ -101,19 +102,17 @@ void TurnCircles::add_pairs(std::span<const TurnCircle> of_pairs) {
   group_more();
 }
 
-std::size_t TurnCircles::take_arrays(const VertexMap& change, std::span<const VertexId> convex) {
+std::size_t TurnCircles::take_arrays(const WorldHistory& history, std::span<const VertexId> convex) {
   const std::unique_ptr<Arrays> gone = origin_.spare->take();
-  origin_.change = origin_.change ? origin_.change->then(change) : change;
-  origin_.room = std::make_unique<Arrays>(Arrays{*origin_.change, {}, {}});
+  origin_.room = std::make_unique<Arrays>(Arrays{history, {}, {}});
   if (!gone) return 0;
   circles_.swap(gone->circles);
   first_.swap(gone->first);
   // Where the convex vertices are the same ones, so are the indices of circles.
-  const VertexId common = gone->change.common_with(*origin_.change);
-  std::size_t done = 0;
-  while (done < convex.size() && convex[done] < common && first_[convex[done]] == 2 * radius_count_ * done) ++done;
+  const VertexId common = gone->history.common_with(history);
+  const auto done = static_cast<std::size_t>(std::ranges::lower_bound(convex, common) - convex.begin());
   circles_.resize(2 * radius_count_ * done);
-  first_.resize(done > 0 ? convex[done - 1] + 1 : 0);
+  first_.resize(common);
   return done;
 }
 
@@ -125,7 +124,7 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
       own_count_(2 * radius_count_ * after.convex_vertices().size()),
       origin_(before.origin_) {
   const std::span<const VertexId> convex = after.convex_vertices();
-  const std::size_t done = take_arrays(change, convex);
+  const std::size_t done = take_arrays(after.history(), convex);
   circles_.reserve(own_count_ + own_count_ / 8);  // for those of two vertices
   first_.resize(after.vertices().size(), kNone);
   for (const VertexId v : convex.subspan(done)) {
@@ -143,19 +142,30 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
   }
 
   const auto may_be_other = [&](VertexId v) { return std::ranges::binary_search(may_differ, v); };
+  // To look for circles of each vertex costs most of this on large maps.
+  const auto has_flipped = [](const WorldHistory& history) { return history.differs_within(0, kNone); };
+  const bool have_all = before.origin_.room && after.history().has_origin_of(before.origin_.room->history) &&
+                        !has_flipped(after.history()) && !has_flipped(before.origin_.room->history);
+  const auto is_there = [&](VertexId v) {
+    return v != kNone && ((have_all && !after.history().map().is_added(v)) || has(v));
+  };
   std::vector<TurnCircle> of_pairs;
   for (std::size_t c = before.own_count_; c < before.base_count_; ++c) {
     TurnCircle circle = before.circles_[c];
     circle.vertex = change.after(circle.vertex);
     circle.second = change.after(circle.second);
-    if (circle.vertex == kNone || circle.second == kNone || !has(circle.vertex) || !has(circle.second)) continue;
+    if (!is_there(circle.vertex) || !is_there(circle.second)) continue;
     if (!may_be_other(circle.vertex) || !may_be_other(circle.second)) of_pairs.push_back(circle);
   }
+  const auto first_new = static_cast<std::ptrdiff_t>(of_pairs.size());
   const PairRule rule{*this, after, radii, grown_body};
   rule.visit_within_reach(may_differ, [&](VertexId u, VertexId w) {
     if (rule.leads_back(u, w) && std::ranges::binary_search(rows.of(u), w)) rule.append(u, w, of_pairs);
   });
-  std::ranges::stable_sort(of_pairs, {}, [](const TurnCircle& c) { return std::pair(c.vertex, c.second); });
+  // Those of before ascend still.
+  const auto vertices_of = [](const TurnCircle& c) { return std::pair(c.vertex, c.second); };
+  std::ranges::stable_sort(of_pairs.begin() + first_new, of_pairs.end(), {}, vertices_of);
+  std::ranges::inplace_merge(of_pairs, of_pairs.begin() + first_new, {}, vertices_of);
   add_pairs(of_pairs);
 }
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "core/base/huge_pages.h"
 #include "core/base/spare.h"
 #include "core/model/vertex_map.h"
+#include "core/model/world_history.h"
 #include "core/roadmap/added_circles.h"
 #include "core/roadmap/circle_radii.h"
 #include "core/roadmap/turn_circle.h"
@@ -113,24 +113,23 @@ class TurnCircles {
   struct PairRule;
   // Base circles of a world, as others of the same origin may use them again.
   struct Arrays {
-    VertexMap change;  // from the world of the origin
+    WorldHistory history;  // of their world
     HugeVector<TurnCircle> circles;
     HugeVector<std::uint32_t> first;
   };
   // The circles that these came from by changes, and where their arrays go when they are gone.
   struct Origin {
     Origin() = default;
-    Origin(const Origin& other) : spare(other.spare), change(other.change) {}
+    Origin(const Origin& other) : spare(other.spare) {}
     Origin(Origin&&) noexcept = default;
     Origin& operator=(const Origin&) = delete;
 
     std::shared_ptr<Spare<Arrays>> spare = std::make_shared<Spare<Arrays>>();
-    std::optional<VertexMap> change;
     std::unique_ptr<Arrays> room;  // null if there was no change, and in copies
   };
   // Takes arrays of circles that are gone, and leaves what they have in common with those of a world after a change.
   // Returns the number of convex vertices that are done.
-  std::size_t take_arrays(const VertexMap& change, std::span<const VertexId> convex);
+  std::size_t take_arrays(const WorldHistory& history, std::span<const VertexId> convex);
   // Completes the base circles.
   void add_pairs(std::span<const TurnCircle> of_pairs);
   // Groups circles of [first, last) by the vertices that they refer to: those of some sides.
