@@ -1,17 +1,72 @@
 #include "core/roadmap/circle_numbers.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 
 namespace arcway::internal {
 
-CircleNumbers::CircleNumbers(const World& world, const TurnCircles& circles)
-    : convex_(world.convex_vertices().begin(), world.convex_vertices().end()) {
+GraphVertices::GraphVertices(const World& world, std::shared_ptr<const HugeVector<VertexId>> of_origin)
+    : of_origin_(std::move(of_origin)) {
+  const auto vertices = static_cast<VertexId>(world.vertices().size());
+  if (!of_origin_) {
+    append(world, {0, vertices}, kNone);
+    return;
+  }
+  const VertexMap& map = world.history().map();
+  VertexId here = 0, there = 0;
+  for (const World::VertexRange& removed : map.removed()) {
+    const VertexId end = here + (removed.first - there);
+    append(world, {here, end}, there);
+    here = end;
+    there = removed.last;
+  }
+  const auto [first_added, end_added] = map.added();
+  append(world, {here, first_added}, there);
+  append(world, {first_added, end_added}, kNone);
+  append(world, {end_added, vertices}, there + (first_added - here));
+}
+
+void GraphVertices::append(const World& world, const World::VertexRange& range, VertexId begin) {
+  const std::span<const VertexId> all = world.convex_vertices();
+  const auto first = std::ranges::lower_bound(all, range.first);
+  const auto last = std::lower_bound(first, all.end(), range.last);
+  if (first == last) return;
+  const VertexId end = begin == kNone ? kNone : begin + (range.last - range.first);
+  if (begin != kNone && !world.history().differs_within(begin, end)) {
+    const auto at = std::ranges::lower_bound(*of_origin_, begin) - of_origin_->begin();
+    pieces_.push_back({count_, range.first, static_cast<std::size_t>(at), true, begin - range.first});
+  } else {
+    pieces_.push_back({count_, range.first, own_.size(), false, 0});
+    own_.insert(own_.end(), first, last);
+  }
+  count_ += static_cast<std::size_t>(last - first);
+}
+
+VertexId GraphVertices::operator[](std::size_t i) const {
+  const Piece& piece = *(std::ranges::upper_bound(pieces_, i, {}, &Piece::index) - 1);
+  return array_of(piece)[piece.at + i - piece.index] - piece.shift;
+}
+
+std::size_t GraphVertices::index_of(VertexId v) const {
+  const auto next = std::ranges::upper_bound(pieces_, v, {}, &Piece::first);
+  if (next == pieces_.begin()) return count_;
+  const Piece& piece = *(next - 1);
+  const std::size_t length = (next == pieces_.end() ? count_ : next->index) - piece.index;
+  const auto part = array_of(piece).subspan(piece.at, length);
+  const auto at = std::ranges::lower_bound(part, v + piece.shift);
+  if (at == part.end() || *at != v + piece.shift) return count_;
+  return piece.index + static_cast<std::size_t>(at - part.begin());
+}
+
+CircleNumbers::CircleNumbers(const World& world, const TurnCircles& circles, const WorldHistory& later)
+    : convex_(world, later.has_origin_of(world.history()) ? later.convex_of_origin() : nullptr) {
   const std::span<const TurnCircle> base = circles.all().first(circles.base_count());
   const auto first_pair = std::ranges::partition_point(base, [](const TurnCircle& c) { return c.second == kNone; });
   pairs_.assign(first_pair, base.end());
-  if (!convex_.empty()) around_ = static_cast<std::size_t>(first_pair - base.begin()) / convex_.size();
+  if (convex_.size() > 0) around_ = static_cast<std::size_t>(first_pair - base.begin()) / convex_.size();
 }
 
 std::uint32_t CircleNumbers::before(std::uint32_t circle, const TurnCircles& after, const VertexMap& map) const {
@@ -19,9 +74,8 @@ std::uint32_t CircleNumbers::before(std::uint32_t circle, const TurnCircles& aft
   const VertexId vertex = map.before(c.vertex);
   if (vertex == kNone) return kNone;
   if (c.second == kNone) {
-    const auto at = std::ranges::lower_bound(convex_, vertex);
-    if (at == convex_.end() || *at != vertex) return kNone;
-    const auto index = static_cast<std::size_t>(at - convex_.begin());
+    const std::size_t index = convex_.index_of(vertex);
+    if (index == convex_.size()) return kNone;
     return static_cast<std::uint32_t>(index * around_) + circle - after.first_around(c.vertex, Side::kLeft);
   }
   const VertexId second = map.before(c.second);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/model/world_history.h"
 #include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
@@ -12,7 +13,8 @@ namespace {
 // Largest number of graphs whose findings are kept: after so many changes a search has asked again for what it needs.
 // Each takes part in every question about a circle that none of them knows.
 constexpr std::size_t kMostGenerations = 32;
-// Largest number of circles of all of these graphs, some 4 bytes each; but two graphs are always kept.
+// Largest number of circles of all of these graphs where each lists its vertices, some 4 bytes a circle; but two graphs
+// are always kept.
 constexpr std::size_t kMostCircles = 8'000'000;
 // Largest number of boxes of changes without a search in between. One box stands for more vertices than that.
 constexpr std::size_t kMostBoxes = 4096;
@@ -65,7 +67,8 @@ FoundBefore::FoundBefore(const LazyFeasibleGraph& before, const FeasibleGraphInp
   if (before.found_before()) generations_ = before.found_before()->generations_;
   for (Generation& generation : generations_) generation.map = generation.map.then(map);
   if (!before.found()->empty()) {
-    auto numbers = std::make_shared<const CircleNumbers>(before.checks().world(), before.turn_circles());
+    auto numbers =
+        std::make_shared<const CircleNumbers>(before.checks().world(), before.turn_circles(), after.world().history());
     generations_.insert(generations_.begin(), {before.found(), std::move(numbers), map, nullptr});
   } else if (!generations_.empty()) {
     append(generations_.front().places->obstacles(), obstacles);
@@ -74,8 +77,10 @@ FoundBefore::FoundBefore(const LazyFeasibleGraph& before, const FeasibleGraphInp
   if (generations_.empty()) return;
   generations_.front().places =
       std::make_shared<const Places>(std::move(obstacles), few(std::move(vertices)), largest_reach(inputs));
+  const bool shares_lists = after.world().history().convex_of_origin() != nullptr;
   const std::size_t circles = std::max<std::size_t>(1, after.circles().all().size());
-  std::size_t most = std::clamp<std::size_t>(kMostCircles / circles, 2, kMostGenerations);
+  std::size_t most =
+      shares_lists ? kMostGenerations : std::clamp<std::size_t>(kMostCircles / circles, 2, kMostGenerations);
   if (generations_.front().places->size() > kMostBoxes) most = 0;
   if (generations_.size() > most)
     generations_.erase(generations_.begin() + static_cast<std::ptrdiff_t>(most), generations_.end());
