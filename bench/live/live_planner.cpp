@@ -11,9 +11,7 @@ World changed(const World& world, const MapChange& change) {
   return world.changed(obstacles_with(world, change.removed), change.added);
 }
 
-void ChangedPlanner::change(const MapChange& change) {
-  planner_ = planner_.with_obstacles(change.removed, change.added);
-}
+void ChangedPlanner::change(const MapChange& change) { planner_.change_obstacles(change.removed, change.added); }
 
 Replan ChangedPlanner::next(const Trajectory& driven, double time, const ReplanOptions& options) const {
   return replan(planner_, driven, time, options);

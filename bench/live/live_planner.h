@@ -23,7 +23,7 @@ class LivePlanner {
   [[nodiscard]] virtual const World& world() const = 0;
 };
 
-/// Follows each change by Planner::with_obstacles.
+/// Follows each change by Planner::change_obstacles.
 class ChangedPlanner final : public LivePlanner {
  public:
   explicit ChangedPlanner(Planner planner) : planner_(std::move(planner)) {}

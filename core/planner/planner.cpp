@@ -121,6 +121,17 @@ struct AllOptions {
   PlannerOptions checked;  // with all that was chosen for this world
 };
 
+Polygon polygon_of(const World& world, ObstacleId obstacle) {
+  Polygon polygon;
+  const std::span<const VertexId> starts = world.ring_starts(obstacle);
+  for (std::size_t r = 0; r < starts.size(); ++r) {
+    const VertexId last = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(obstacle).last;
+    const std::span<const Vec2> ring = world.vertices().subspan(starts[r], last - starts[r]);
+    (r == 0 ? polygon.outer : polygon.holes.emplace_back()).assign(ring.begin(), ring.end());
+  }
+  return polygon;
+}
+
 // What a path drives closer to obstacles than a rule asks for.
 CloseDriving driven_close(const ClearanceCost::Rule& rule, std::span<const PathSegment> path) {
   CloseDriving close{.distance = rule.close.distance()};
@@ -164,7 +175,8 @@ struct Planner::Data {
   // Many parameters because planners that are new, restored or changed have no more in common than these.
   template <class MakeFeasible>
   Data(const World& world, const Vehicle& vehicle, const Backend& b, AllOptions all, ReducedGraph reduced,
-       MakeFeasible&& make_feasible, const Executor& executor, const MapsBefore* maps_before = nullptr)
+       MakeFeasible&& make_feasible, const Executor& executor, const MapsBefore* maps_before = nullptr,
+       std::shared_ptr<WorkspacePool<PlanWorkspace>> memory = std::make_shared<WorkspacePool<PlanWorkspace>>())
       : backend(b),
         given(std::move(all.given)),
         options(std::move(all.checked)),
@@ -175,7 +187,8 @@ struct Planner::Data {
                  world, vehicle, motion_queries(world, b), options, [&] { return make_feasible(rows, options); },
                  executor, maps_before),
              b.queries().sweep, options, rows, executor, maps_before),
-        scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})) {
+        scene(std::make_shared<const PlanScene>(PlanScene{world, vehicle})),
+        workspaces(std::move(memory)) {
     prepare_statistics.visibility_seconds = reduced.seconds;
     prepare_statistics.feasible_seconds = watch.seconds();
     prepare_statistics.counts = maps.base_graph->counts();
@@ -199,7 +212,7 @@ struct Planner::Data {
   PlannerMaps maps;
   std::shared_ptr<const PlanScene> scene;  // that results share
   PrepareStatistics prepare_statistics;
-  mutable WorkspacePool<PlanWorkspace> workspaces;
+  std::shared_ptr<WorkspacePool<PlanWorkspace>> workspaces;  // also of planners before and after changes
 };
 
 std::optional<CloseDriving> Planner::Data::close_driving(std::span<const PathSegment> path) const {
@@ -343,7 +356,8 @@ Planner Planner::changed(const Planner& before, const WorldChange& change, const
   if (rows_after && !options.clearance_preference)
     maps_before.emplace(MapsBefore{before.data_->maps, {change, rows_after->may_differ}});
   return Planner(std::make_shared<const Data>(world, vehicle, backend, std::move(checked), std::move(reduced),
-                                              make_feasible, executor, maps_before ? &*maps_before : nullptr));
+                                              make_feasible, executor, maps_before ? &*maps_before : nullptr,
+                                              before.data_->workspaces));
 }
 
 Planner Planner::with_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) const {
@@ -351,6 +365,10 @@ Planner Planner::with_obstacles(std::span<const ObstacleKey> removed, const std:
   const World after = world().changed(ids, added);
   const WorldChange change = WorldChange::unchecked(world(), after, ids);
   return changed(*this, change, data_->backend.changed(after, change), data_->given);
+}
+
+void Planner::change_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) {
+  *this = with_obstacles(removed, added);
 }
 
 PlanResult Planner::plan(const PlanRequest& request, const PlanLimits& limits) const {
@@ -386,7 +404,7 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
            end_heading_obeys_zones(d.map(), request, start, result);
   };
   if (is_possible(request.start, true) && is_possible(request.goal, false)) {
-    WorkspacePool<PlanWorkspace>::Lease workspace(d.workspaces);
+    WorkspacePool<PlanWorkspace>::Lease workspace(*d.workspaces);
     const QueryContext query{d.maps, d.options, request, limits, clock};
     PlanRun run(query, *workspace, result);
     run.follow(d.strategy);
@@ -402,14 +420,22 @@ void Planner::plan(const PlanRequest& asked, const PlanLimits& limits, PlanResul
   result.statistics.total_seconds = total.seconds();
 }
 
-void Planner::warm_up(std::size_t queries_at_once) const {
+void Planner::warm_up(std::size_t queries_at_once, bool for_changes) const {
   const Data& d = *data_;
+  if (for_changes && world().obstacle_count() > 0) {
+    // Two planners after changes are there at once while one follows the other. Their arrays go to the first changes.
+    // All obstacles but the last one stay where they are.
+    const auto last = static_cast<ObstacleId>(world().obstacle_count() - 1);
+    const std::vector<ObstacleKey> key{world().key_of(last)};
+    const std::vector<Polygon> same{polygon_of(world(), last)};
+    const Planner one = with_obstacles(key, same), other = with_obstacles(key, same);
+  }
   std::size_t most_circles = d.map().graph->circles().size();
   for (const PlanMaps* maps : {&d.maps.all, d.maps.tightest ? &*d.maps.tightest : nullptr})
     if (maps && maps->narrow) most_circles = std::max(most_circles, maps->narrow->map().graph->circles().size());
   std::list<WorkspacePool<PlanWorkspace>::Lease> leases;
   for (std::size_t i = 0; i < queries_at_once; ++i)
-    leases.emplace_back(d.workspaces)->find.search.warm_up(most_circles);
+    leases.emplace_back(*d.workspaces)->find.search.warm_up(most_circles);
 }
 
 bool Planner::is_free(const Pose& pose) const {

@@ -176,7 +176,12 @@ void expect_plans_of_new_ones(const Vehicle& vehicle, int steps) {
     SCOPED_TRACE("step " + std::to_string(step));
     for (const PlanRequest& request : requests) (void)planner.plan(request);
     for (Vec2& p : moving.outer) p += Vec2(0.5, -0.25);
-    planner = planner.with_obstacles(std::vector<ObstacleKey>{key}, {moving});
+    const Planner before = planner;
+    planner.change_obstacles(std::vector<ObstacleKey>{key}, {moving});
+    EXPECT_EQ(before.world().obstacle_with(
+                  planner.world().key_of(static_cast<ObstacleId>(planner.world().obstacle_count() - 1))),
+              kNone)
+        << "a copy keeps the map before";
     key = planner.world().key_of(static_cast<ObstacleId>(planner.world().obstacle_count() - 1));
     std::vector<Polygon> all = others;
     all.push_back(moving);

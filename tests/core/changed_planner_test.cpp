@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -70,7 +71,7 @@ std::size_t expect_changes(World world, const Vehicle& vehicle, test::RandomInpu
     for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
       if (random.integer(1, one_in) == 1) removed.push_back(o);
     const std::vector<Polygon> added = draw_added();
-    own = own.with_obstacles(keys_of(own.world(), removed), added);
+    own.change_obstacles(keys_of(own.world(), removed), added);
     world = world.changed(removed, added);
     eager = changed(eager, world, removed, eager_options);
     lazy = changed(lazy, world, removed, lazy_options);
@@ -177,6 +178,49 @@ TEST(ChangedPlanner, LeavesThePlannerBeforeAsItIs) {
   EXPECT_EQ(before.world().obstacle_count(), 8u);
   EXPECT_EQ(after.world().obstacle_count(), 6u);
   EXPECT_EQ(bits_of(before.plan(request)), bits);
+}
+
+// In place, with a key that there is not, and with an obstacle that is none.
+TEST(ChangedPlanner, StaysAsItIsIfAChangeInPlaceThrows) {
+  const World world = random_world({.obstacles = 8, .vertices = 5, .fill = 0.2, .seed = 3});
+  Planner planner(world, Vehicle{}, PlannerOptions{.graph_mode = GraphMode::kLazy});
+  const std::vector<ObstacleKey> first{0}, none{8};
+  const Ring line{{0, 0}, {1, 0}, {2, 0}};
+  const void* const data = planner.world().vertices().data();
+  EXPECT_THROW(planner.change_obstacles(none, {}), std::invalid_argument);
+  EXPECT_THROW(planner.change_obstacles(first, {{line, {}}}), WorldError);
+  EXPECT_EQ(planner.world().vertices().data(), data);
+  planner.change_obstacles(first, {});
+  EXPECT_EQ(planner.world().obstacle_count(), world.obstacle_count() - 1);
+}
+
+// Warming up for changes makes two of them, so that the first ones find the arrays of worlds that are gone.
+TEST(ChangedPlanner, IsWarmForTheFirstChangesIfWanted) {
+  const World world = random_world({.obstacles = 8, .vertices = 5, .fill = 0.2, .seed = 3});
+  int changes = 0;
+  const auto queries = [](const Backend& b) { return make_reference_queries(b.world()); };
+  const auto graph = [](const Backend& b) {
+    return std::make_shared<const VisibilityGraph>(
+        build_reduced_visibility_graph(b.world(), *b.queries().visibility, kSerialExecutor));
+  };
+  const Backend::Parts parts{.queries = queries, .reduced_graph = graph};
+  Backend::Parts counted = parts;
+  counted.changed_parts = [&](const Backend&, const World& after, const WorldChange& change) {
+    ++changes;
+    EXPECT_EQ(after.obstacle_count(), 8u);
+    EXPECT_EQ(change.removed_boxes.size(), 1u);
+    return parts;
+  };
+  const Planner planner(world, Vehicle{}, Backend(world, counted, kSerialExecutor));
+  planner.warm_up();
+  EXPECT_EQ(changes, 0);
+  planner.warm_up(1, true);
+  EXPECT_EQ(changes, 2);
+  const World empty{std::vector<Polygon>{}};
+  Planner(empty, Vehicle{}, Backend(empty, counted, kSerialExecutor)).warm_up(1, true);
+  EXPECT_EQ(changes, 2) << "there is nothing to change";
+  EXPECT_THROW(Planner(world, Vehicle{}, backend_of(world, make_reference_queries(world))).warm_up(1, true),
+               std::invalid_argument);
 }
 
 TEST(ChangedPlanner, RefusesKeysThatNoObstacleHas) {

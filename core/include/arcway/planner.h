@@ -181,20 +181,27 @@ class ARCWAY_API Planner {
 
   /// A planner for the map without some obstacles, and with others after its last one. It plans as a planner built anew
   /// with the same options, bit for bit, and keeps what was found far from the change: see `changed`. This planner
-  /// stays as it is; to change it in place, assign the result to it. Arrays of a planner that is gone are used again,
-  /// in time that depends on what differs between the two maps.
+  /// stays as it is; change_obstacles changes it in place. The two share memory for searches. Arrays of a planner that
+  /// is gone are used again, in time that depends on what differs between the two maps.
   ///
   ///     const std::vector<ObstacleKey> gone{planner.world().key_of(3)};
-  ///     planner = planner.with_obstacles(gone, {Polygon::rectangle({12, 7}, 2.0, 1.0)});
+  ///     const Planner after = planner.with_obstacles(gone, {Polygon::rectangle({12, 7}, 2.0, 1.0)});
   ///
-  /// Thread-safe. An assignment is one to this object alone: copies that other threads plan with keep the map before.
-  /// The executor of the backend that the planner was made with runs the change, and must still exist.
+  /// Thread-safe. The executor of the backend that the planner was made with runs the change, and must still exist.
   /// @param removed  keys of obstacles, in any order. Keys stay the same through changes, unlike ids: World::key_of.
   /// @param added  get the last ids of the new world, in their order, and new keys.
   /// @throws std::invalid_argument if a key is of no obstacle of the map or is named twice, or the backend cannot be
   ///   changed (Backend::changed).
   /// @throws WorldError with the index that a refused obstacle has in the new world.
   [[nodiscard]] Planner with_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added) const;
+  /// Changes this planner as with_obstacles does, in place. Copies made before keep the map before. What no copy uses
+  /// is given back, or used again by the next change.
+  ///
+  ///     planner.change_obstacles(gone, {Polygon::rectangle({12, 7}, 2.0, 1.0)});
+  ///
+  /// Not thread-safe: for a planner with one owner, between two plans. If it throws, this planner is as before.
+  /// @param removed, added  as of with_obstacles, as is what it throws.
+  void change_obstacles(std::span<const ObstacleKey> removed, const std::vector<Polygon>& added);
 
   /// The fastest path of the roadmap under the true speed profile, within PlannerOptions::suboptimality, after
   /// refinement. Without `reverse`, no segment is driven backwards. With `reverse`, the result is the cheapest path of
@@ -251,7 +258,9 @@ class ARCWAY_API Planner {
   /// Does now what the first queries would have to do: builds the graph with added circles in narrow gaps, and takes
   /// memory for searches. It makes the slowest query faster and changes no plan. Thread-safe.
   /// @param queries_at_once  number of threads that will plan at the same time.
-  void warm_up(std::size_t queries_at_once = 1) const;
+  /// @param for_changes  whether the map will change: then also does what the first change of obstacles would have to,
+  ///   and takes memory for it. It throws what with_obstacles does.
+  void warm_up(std::size_t queries_at_once = 1, bool for_changes = false) const;
 
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Vehicle& vehicle() const;
