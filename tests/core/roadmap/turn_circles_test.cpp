@@ -2,11 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/planner.h"
 #include "arcway/visibility_graph.h"
+#include "arcway/world_change.h"
+#include "core/model/vertex_map.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -53,6 +60,62 @@ TEST(TurnCircles, GoRoundBothCornersAtTheEndOfAThinWall) {
 }
 
 TEST(TurnCircles, AreOfOneVertexWhereTheWallIsThick) { EXPECT_EQ(circles_of(wall(1.5), {1.3}).all().size(), 4u * 2u); }
+
+// The vertices of a world whose rows are not those that they had before a change.
+std::vector<VertexId> with_other_rows(const VisibilityRows& before, const VisibilityRows& after, const World& world,
+                                      const VertexMap& change) {
+  std::vector<VertexId> others;
+  for (const VertexId v : world.convex_vertices()) {
+    std::vector<VertexId> expected;
+    if (const VertexId was = change.before(v); was != kNone)
+      for (const VertexId w : before.of(was)) expected.push_back(change.after(w));
+    if (expected.empty() || !std::ranges::equal(after.of(v), expected)) others.push_back(v);
+  }
+  return others;
+}
+
+// A box covers the end of a thin wall, and with it the circles around both of its corners, and goes away again: a wall
+// of the first world, and one that was added.
+TEST(TurnCircles, AreAfterChangesThoseOfTheWorld) {
+  const CircleRadii radii(std::vector<double>{1.3, 2.6});
+  const Footprint body = Vehicle().footprint(1e-3);
+  const auto rows_of_world = [](const World& world) {
+    return rows_of(world, build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
+  };
+  const Polygon second{{{10, -20}, {10.5, -20}, {10.5, 0}, {10, 0}}, {}};
+  const auto box_at = [](double x) { return Polygon{{{x - 1, -2}, {x + 2, -2}, {x + 2, 3}, {x - 1, 3}}, {}}; };
+  struct Step {
+    std::vector<ObstacleId> removed;
+    std::vector<Polygon> added;
+    std::size_t pairs;
+  };
+  const std::vector<Step> steps{{{}, {second}, 8},    {{}, {box_at(10)}, 6},  {{2}, {}, 8},
+                                {{}, {box_at(0)}, 6}, {{2}, {box_at(10)}, 6}, {{0}, {}, 2}};
+  World world = wall(0.5);
+  auto rows = rows_of_world(world);
+  std::optional<TurnCircles> circles(std::in_place, world, *rows, radii, body, SerialExecutor());
+  for (const Step& step : steps) {
+    const World after = world.changed(step.removed, step.added);
+    const VertexMap change(WorldChange::unchecked(world, after, step.removed));
+    const auto rows_after = rows_of_world(after);
+    TurnCircles changed(*circles, change, after, *rows_after, with_other_rows(*rows, *rows_after, after, change), radii,
+                        body);
+    const TurnCircles anew(after, *rows_after, radii, body, SerialExecutor());
+    ASSERT_EQ(changed.all().size(), anew.all().size());
+    for (std::size_t c = 0; c < anew.all().size(); ++c) {
+      const TurnCircle &one = changed.all()[c], &other = anew.all()[c];
+      EXPECT_EQ(std::tie(one.vertex, one.second, one.radius, one.side),
+                std::tie(other.vertex, other.second, other.radius, other.side));
+      EXPECT_EQ(one.center, other.center);
+    }
+    for (VertexId v = 0; v < after.vertices().size(); ++v) EXPECT_EQ(changed.has(v), anew.has(v));
+    EXPECT_EQ(std::ranges::count_if(anew.all(), [](const TurnCircle& c) { return c.second != kNone; }),
+              static_cast<std::ptrdiff_t>(step.pairs));
+    circles.emplace(std::move(changed));
+    world = after;
+    rows = rows_after;
+  }
+}
 
 // Two corridors, joined at the open end of the wall between them.
 World hairpin(double thickness, double width) {
