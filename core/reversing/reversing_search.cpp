@@ -71,18 +71,55 @@ FoundPath ReversingSearch::join_backwards() {
   return found;
 }
 
+// The tree of one end, for the paths of both gears: the poses that it expanded, in their order.
+class ReversingSearch::EndTree {
+ public:
+  EndTree(const Pose& end, const Vehicle& vehicle, const Outlines& outlines, const GearTreeOptions& options)
+      : tree_(end, vehicle, outlines, options, [](const Pose&) { return 0.0; }) {}
+
+  // The i-th pose that is expanded; nothing if there are fewer. Asked for one after the other.
+  std::optional<std::uint32_t> expanded(std::size_t i) {
+    if (i == expanded_.size()) expanded_.push_back(tree_.expand());
+    return expanded_[i];
+  }
+  [[nodiscard]] const GearTree& tree() const { return tree_; }
+
+ private:
+  GearTree tree_;
+  std::vector<std::optional<std::uint32_t>> expanded_;
+};
+
+struct ReversingSearch::EndTrees {
+  EndTree start, goal;
+};
+
 FoundPath ReversingSearch::join_between(const GearAttachments& wanted) {
   FoundPath found;
   if (!has_stops_) return found;
-  for (const Gear gear : {Gear::kForward, Gear::kReverse}) join(wanted, gear, found);
+  EndTrees trees{end_tree(true, wanted), end_tree(false, wanted)};
+  for (const Gear gear : {Gear::kForward, Gear::kReverse}) join(wanted, gear, trees, found);
   return found;
 }
 
+// Motions of a goal's tree are driven in the opposite sense.
+ReversingSearch::EndTree ReversingSearch::end_tree(bool at_start, const GearAttachments& wanted) const {
+  const Vehicle& vehicle = map_.vehicle;
+  return {at_start ? query_.start : query_.goal,
+          at_start ? vehicle : vehicle.with_gears_swapped(),
+          *map_.outlines,
+          {.cells = wanted.cells,
+           .halves = true,
+           .cusp_cost = options_.cusp_cost,
+           .one_way_zones = map_.one_way_zones.get(),
+           .forwards = at_start ? Gear::kForward : Gear::kReverse}};
+}
+
 // A path driven backwards is searched as one driven forwards from goal to start.
-void ReversingSearch::join(const GearAttachments& wanted, Gear gear, FoundPath& found) {
+void ReversingSearch::join(const GearAttachments& wanted, Gear gear, EndTrees& trees, FoundPath& found) {
   if (found.search.interrupted) return;
-  const auto starts = attachments(Direction::kFromStart, wanted, gear);
-  const auto goals = attachments(Direction::kToGoal, wanted, gear);
+  const bool is_forward = gear == Gear::kForward;
+  const auto starts = attachments(Direction::kFromStart, wanted, gear, is_forward ? trees.start : trees.goal);
+  const auto goals = attachments(Direction::kToGoal, wanted, gear, is_forward ? trees.goal : trees.start);
   const bool are_ends = starts.size() + goals.size() == 2;  // the ends alone have been joined before
   if (wanted.most > 0 && are_ends) return;
   if (join(starts, goals, gear, found)) return;
@@ -129,26 +166,17 @@ Path ReversingSearch::between_stops(const Path& path) const {
 }
 
 // The end itself, then poses that a motion in the other gear reaches from it.
-std::vector<Attachment> ReversingSearch::attachments(Direction direction, const GearAttachments& wanted,
-                                                     Gear gear) const {
+std::vector<Attachment> ReversingSearch::attachments(Direction direction, const GearAttachments& wanted, Gear gear,
+                                                     EndTree& trees) const {
   const bool from_start = direction == Direction::kFromStart;
   const bool at_start = from_start == (gear == Gear::kForward);
-  const Pose& end = at_start ? query_.start : query_.goal;
   const Pose& other = at_start ? query_.goal : query_.start;
-  std::vector<Attachment> found{{end, {}}};
+  std::vector<Attachment> found{{at_start ? query_.start : query_.goal, {}}};
   if (wanted.most == 0) return found;
-  const Vehicle& vehicle = map_.vehicle;
-  // Motions of a goal's tree are driven in the opposite sense.
-  GearTree tree(end, at_start ? vehicle : vehicle.with_gears_swapped(), *map_.outlines,
-                {.cells = wanted.cells,
-                 .halves = true,
-                 .cusp_cost = options_.cusp_cost,
-                 .one_way_zones = map_.one_way_zones.get(),
-                 .forwards = at_start ? Gear::kForward : Gear::kReverse},
-                [](const Pose&) { return 0.0; });
+  const GearTree& tree = trees.tree();
   for (std::size_t i = 0; i < wanted.most_expansions && found.size() <= wanted.most; ++i) {
     if (options_.interrupted()) break;
-    const auto node = tree.expand();
+    const auto node = trees.expanded(i);
     if (!node) break;
     const GearTree::Node& reached = tree[*node];
     if (*node == GearTree::kRoot || reached.motion.gear != (from_start ? Gear::kReverse : Gear::kForward)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -51,17 +52,24 @@ class ReversingSearch {
   /// Searches by trees in both gears for narrow places: search_narrow_gears.
   FoundPath grow_narrow_gear_trees(std::size_t poses);
 
+  /// Says what a path costs that is known from elsewhere: only cheaper ones are searched from now on.
+  void cut_off(double cost) { cost_ = std::min(cost_, cost); }
+
   /// The cheapest path found so far, if any.
   [[nodiscard]] const std::optional<Path>& path() const { return path_; }
   /// Cost of the cheapest path that is known, found here or not; infinite where there is none [s].
   [[nodiscard]] double cost() const { return cost_; }
 
  private:
-  void join(const GearAttachments& wanted, Gear gear, FoundPath& found);
+  class EndTree;
+  struct EndTrees;
+  void join(const GearAttachments& wanted, Gear gear, EndTrees& trees, FoundPath& found);
   // Searches between given poses. False if the cheapest path changes gear too often.
   bool join(std::span<const Attachment> starts, std::span<const Attachment> goals, Gear gear, FoundPath& found);
-  [[nodiscard]] std::vector<Attachment> attachments(Direction direction, const GearAttachments& wanted,
-                                                    Gear gear) const;
+  // @param trees  of the end at which the attachments are.
+  [[nodiscard]] std::vector<Attachment> attachments(Direction direction, const GearAttachments& wanted, Gear gear,
+                                                    EndTree& trees) const;
+  [[nodiscard]] EndTree end_tree(bool at_start, const GearAttachments& wanted) const;
   // Searches with options; a path found is driven in their gear.
   std::optional<Path> search(std::span<const Attachment> starts, std::span<const Attachment> goals,
                              const SearchOptions& options, FoundPath& found);
