@@ -61,12 +61,19 @@ bool PlanRun::holds(Known known) const {
       return !has_path();
     case Known::kPath:
       return has_path();
+    case Known::kForwardPath:
+      return has_forward_path();
     case Known::kPathElsewhere:
-      return found_ && query_.maps.tightest && maps_ != &*query_.maps.tightest;
+      return has_forward_path() && query_.maps.tightest && maps_ != &*query_.maps.tightest;
     case Known::kNarrowPath:
       return only_narrow_gears_;
   }
   return false;
+}
+
+bool PlanRun::has_forward_path() const {
+  const bool is_gear_path = reversing_ && reversing_->path();
+  return found_ && (!is_gear_path || best_cost_ <= (1.0 + kWorthForwards) * reversing_->cost());
 }
 
 bool PlanRun::holds(const When& when) {

@@ -92,6 +92,8 @@ class PlanRun {
   [[nodiscard]] bool holds(WhenSlim when) const;
   // Whether a path is known, refined or not.
   [[nodiscard]] bool has_path() const { return found_ || soon_ || (reversing_ && reversing_->path()); }
+  // Whether a path that is driven forwards is known and worth improving.
+  [[nodiscard]] bool has_forward_path() const;
   [[nodiscard]] bool is_thorough() const { return refines() && !query_.maps.tightest; }
   [[nodiscard]] bool refines() const { return query_.options.refinement.max_trials > 0; }
   // What is not refined joins by all radii: it is the fastest path of the graph.

@@ -340,8 +340,10 @@ void PlanRun::take(const RefineBest& step, double trials) {
 }
 
 ReversingSearch& PlanRun::reversing_search() {
-  if (!reversing_) {
-    const double unrefined = found_ ? best_unrefined_.cost : best_cost_;
+  const double unrefined = found_ ? best_unrefined_.cost : best_cost_;
+  if (reversing_) {
+    reversing_->cut_off(unrefined);
+  } else {
     reversing_.emplace(
         map_, query_.maps.in(Gear::kReverse),
         ReversingQuery{query_.request.start, query_.request.goal, distance_, unrefined, gear_changes_.most},

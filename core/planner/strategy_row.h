@@ -21,7 +21,8 @@ enum class Known {
   kAnything,
   kNoPath,         ///< no path at all
   kPath,           ///< some path
-  kPathElsewhere,  ///< some path, but none of the tightest radii alone
+  kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
+  kPathElsewhere,  ///< such a path, but none of the tightest radii alone
   kNarrowPath      ///< only a path of trees for narrow places, which know little of cost
 };
 /// What the request allows.

@@ -22,8 +22,10 @@ const char* text_of(Known known) {
       return "no path yet";
     case Known::kPath:
       return "a path";
+    case Known::kForwardPath:
+      return "a forward path";
     case Known::kPathElsewhere:
-      return "a path, none of the tightest radii";
+      return "a forward path, none of the tightest radii";
     case Known::kNarrowPath:
       return "a path of narrow trees only";
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "arcway/planner.h"
 #include "core/planner/strategy_text.h"
 #include "core/refine/moves.h"
+#include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -76,8 +78,30 @@ TEST(Strategy, RowsOnTheRoadmapInUseNeedAPath) {
                         std::holds_alternative<TryOtherTurns>(row.step) ||
                         (std::holds_alternative<GrowTrees>(row.step) && std::get<GrowTrees>(row.step).on == On::kInUse);
     if (!in_use) continue;
-    EXPECT_EQ(row.when.known, Known::kPath) << row.name;
+    EXPECT_EQ(row.when.known, Known::kForwardPath) << row.name;
   }
+}
+
+// Right behind the start, where a path forwards has to go all around.
+TEST(Strategy, DearForwardPathsAreNotImproved) {
+  const World world({}, test::box(-20.0, -20.0, 20.0, 20.0).outer);
+  const PlanRequest behind{.start = {0.0, 0.0, 0.0}, .goal = {-3.0, 0.0, 0.0}, .reverse = true};
+  const Planner planner(world, Vehicle{}), without(world, Vehicle{}, {.leave_out = {"120 maneuvers at both ends"}});
+  for (const bool reverse : {false, true}) {
+    PlanRequest request = behind;
+    request.reverse = reverse;
+    const PlanResult plan = planner.plan(request);
+    ASSERT_TRUE(plan.solved());
+    EXPECT_EQ(plan.statistics.maneuver_poses > without.plan(request).statistics.maneuver_poses, !reverse);
+  }
+}
+
+// Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
+TEST(Strategy, ChangesOfGearComeBeforeManeuvers) {
+  const auto row = [](std::string_view name) { return std::ranges::find(kStrategy, name, &StrategyRow::name); };
+  EXPECT_LT(row("changes of gear near the ends"), row("maneuvers"));
+  EXPECT_LT(row("trees in both gears"), row("maneuvers"));
+  EXPECT_EQ(row("maneuvers")->when.known, Known::kNoPath);
 }
 
 // Each row alone left out: what is found is free, and the bound holds.
