@@ -10,6 +10,7 @@
 #include "arcway/angle.h"
 #include "core/attach/search_options.h"
 #include "core/planner/strategy_row.h"
+#include "core/refine/moves.h"
 #include "core/search/effort.h"
 
 /// What a query tries, in which order, from which gap on, and with how much effort. PlanRun goes through `kStrategy`
@@ -166,16 +167,16 @@ inline constexpr StrategyRow kStrategy[] = {
      JoinBySingleArcs{On::kAllRadii, kEveryRadius},
      kUntilCompared},
     {"tightest radii alone",
-     {.known = Known::kForwardPath, .radii = Radii::kSeveral},
+     {.known = Known::kForwardPath, .radii = Radii::kSeveral, .best_gap = kAtBound},
      JoinBySingleArcs{On::kTightest, kEndRadii}},
     {"tightest radii alone",
-     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
+     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral, .best_gap = kAtBound},
      JoinByNarrowPlaces{On::kTightest}},
     {"tightest radii alone",
-     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
+     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral, .best_gap = kAtBound},
      JoinByManeuvers{On::kTightest, {.first = 100, .sparse_factor = 4}}},
     {"tightest radii alone",
-     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral},
+     {.known = Known::kPathElsewhere, .radii = Radii::kSeveral, .best_gap = kAtBound},
      JoinByManeuversAndNarrowPlaces{On::kTightest, 100}},
     {"6 maneuvers at both ends",
      {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.07},

@@ -118,6 +118,8 @@ inline constexpr MoveRow kMoves[] = {
     {"slide circles along lines", Stage::kFinish, SlideCircles{kCircleSteps, 0.0}},
 };
 
+/// Gap, over the lower bound, at which refinement ends: what is left is not worth a trial.
+inline constexpr double kAtBound = 3e-4;
 /// Number of trials of simpler moves before turns are optimized.
 inline constexpr std::uint64_t kTrialsBefore = 1000;
 /// Most rounds of optimizing a best path.

@@ -91,6 +91,7 @@ class Refiner {
     if (!chain_.begin(chain, vehicle_, query_.ends, query_.speed_zones, query_.clearance_cost)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
     least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_, false, query_.ends);
+    least_cost_ = std::max(query_.lower_bound, least_time_);
     radii_.clear();
     for (double r = smallest_; radii_.empty() || vehicle_.turn_speed(r) > vehicle_.turn_speed(radii_.back()); r *= 2.0)
       radii_.push_back(r);
@@ -134,8 +135,7 @@ class Refiner {
 
   // Where turns are slower than lines however wide they are, leaving one out is a jump.
   [[nodiscard]] bool may_leave_optimum() const {
-    return vehicle_.turn_speed(kInfinity) < vehicle_.max_speed() ||
-           cost_ > kFarFromBound * std::max(query_.lower_bound, least_time_);
+    return vehicle_.turn_speed(kInfinity) < vehicle_.max_speed() || cost_ > kFarFromBound * least_cost_;
   }
 
   // Tries the moves that change the order of turns, and optimizes again where they help.
@@ -187,7 +187,9 @@ class Refiner {
     return is_over();
   }
   // Whether refinement is over, without a question to the clock. It serves loops whose trials ask the clock.
-  [[nodiscard]] bool is_over() const { return result_.interrupted || result_.trials >= most_trials_; }
+  [[nodiscard]] bool is_over() const {
+    return result_.interrupted || result_.trials >= most_trials_ || cost_ <= (1.0 + kAtBound) * least_cost_;
+  }
   // Whether refinement is over, with a question to the clock once in kIterationsUnasked calls. It serves loops that try
   // next to nothing.
   [[nodiscard]] bool done_by_now() { return ++iterations_ % kIterationsUnasked == 0 ? done() : is_over(); }
@@ -552,6 +554,7 @@ class Refiner {
   double least_time_ = 0.0;  // lower bound of the time of all paths [s]
   std::uint32_t iterations_ = 0;
   TimedChain& chain_;
+  double least_cost_ = 0.0;  // lower bound of their cost [s]
   std::vector<double>& radii_;
   std::vector<Station>& stations_;
   HeadingSet& headings_;

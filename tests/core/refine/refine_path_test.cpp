@@ -276,6 +276,26 @@ TEST(RefinePath, OptimizationStopsWhenAskedAndAtItsLimit) {
     }
 }
 
+TEST(RefinePath, LeavesPathsAtTheirLowerBoundAlone) {
+  const Vehicle vehicle = real_vehicle();
+  const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  const Outlines outlines(world);
+  const QuerySet queries = make_reference_queries(world);
+  for (const auto& [request, path] : cluttered_plans(world, 5)) {
+    RefineQuery query{path, request.start, request.goal, vehicle, *queries.sweep};
+    query.world = &world;
+    query.outlines = &outlines;
+    const double before = speed_profile(path, vehicle).total_time;
+    for (const bool at_length : {false, true}) {
+      query.at_length = at_length;
+      query.lower_bound = 0.9999 * before;
+      EXPECT_EQ(refine_path(query).trials, 0u);
+      query.lower_bound = 0.99 * before;
+      EXPECT_GT(refine_path(query).trials, 0u);
+    }
+  }
+}
+
 // A constant speed in turns: no optimization, so outlines change nothing.
 TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
   const Vehicle vehicle;
