@@ -236,7 +236,7 @@ inline constexpr StrategyRow kStrategy[] = {
      TryOtherRadii{.radii = 2, .factor = 16.0, .slower = kRefinedFaster}, kUntilCompared},
     {"refinement at length",
      {.known = Known::kForwardPath, .radii = Radii::kSeveral},
-     RefineBest{.close = 0.01},
+     RefineBest{.close = 0.003},
      {.several = 24.0}},
 
     // Cheaper paths, or a first one, in both gears, where the rows above are not enough.
