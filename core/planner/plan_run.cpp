@@ -28,7 +28,8 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       distance_((query.request.goal.position() - query.request.start.position()).norm()),
       are_turns_optimized_(optimizes_turns(query.map().vehicle, query.options.refinement)),
       best_cost_(kInfinity),
-      second_cost_(kInfinity) {
+      second_cost_(kInfinity),
+      best_rough_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
   search_options_.ends = query.ends();
   search_options_.time_model = query.ends().is_moving() ? TimeModel::kProfile : query.options.time_model;
@@ -153,6 +154,7 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
                           .at_length = mode == RefineMode::kAtLength,
                           .ends = query_.ends(),
                           .lower_bound = least_cost(),
+                          .worth_optimizing = (1.0 + kRoughlySlower) * best_rough_,
                           .speed_zones = map_.speed_zones.get(),
                           .clearance_cost = map_.clearance_cost.get(),
                           .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};
@@ -160,6 +162,7 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {
     workspace_.refiner.refine(query, refined);
+    if (refined.rough_cost > 0.0) best_rough_ = std::min(best_rough_, refined.rough_cost);
   }
   PlanStatistics& s = result_.statistics;
   result_.interrupted = result_.interrupted || refined.interrupted;

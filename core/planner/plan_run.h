@@ -177,6 +177,7 @@ class PlanRun {
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
   Unrefined best_unrefined_, second_unrefined_;
   double best_cost_, second_cost_;  // infinite where there is none
+  double best_rough_;               // least RefinedPath::rough_cost of all paths; infinite where there is none
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;

@@ -266,6 +266,9 @@ inline constexpr double kSameCost = 1e-6;
 /// Where turns are optimized, paths of one way mostly end at the same place: one that is not faster before refinement
 /// by this share than another one was is not refined.
 inline constexpr double kMuchFaster = 0.05;
+/// The turns of a path are not optimized if it costs more by this share than another one did, both before that.
+/// Optimizing takes three times as long as what comes before it.
+inline constexpr double kRoughlySlower = 0.1;
 /// Expansions of a search for another path, beside a quarter of those of the first search: where turns cost next to
 /// nothing, thousands of paths are as good as each other.
 inline constexpr std::uint64_t kMoreExpanded = 1000;

@@ -106,7 +106,8 @@ class Refiner {
   }
 
  private:
-  // Optimizes all turns, once it is roughly known which they are. Returns whether that ends refinement.
+  // Optimizes all turns, once it is roughly known which they are, unless that promises nothing. Returns whether that
+  // ends refinement.
   bool optimize() {
     if (query_.at_length) return optimize_at_length();
     most_trials_ = std::min<std::uint64_t>(options_.max_trials, kTrialsBefore);
@@ -114,7 +115,8 @@ class Refiner {
       simplify();
     } while (!done() && take_all(Stage::kSlide));
     most_trials_ = options_.max_trials;
-    return take_all(Stage::kOptimize);
+    result_.rough_cost = cost_;
+    return cost_ > query_.worth_optimizing || take_all(Stage::kOptimize);
   }
   bool optimize_at_length() {
     bool any = false;
@@ -552,9 +554,9 @@ class Refiner {
   double smallest_;          // the smaller one of these [m]
   double cost_;              // of the path: its travel time, plus that of driving close to obstacles [s]
   double least_time_ = 0.0;  // lower bound of the time of all paths [s]
+  double least_cost_ = 0.0;  // lower bound of their cost [s]
   std::uint32_t iterations_ = 0;
   TimedChain& chain_;
-  double least_cost_ = 0.0;  // lower bound of their cost [s]
   std::vector<double>& radii_;
   std::vector<Station>& stations_;
   HeadingSet& headings_;
@@ -576,6 +578,7 @@ void PathRefiner::refine(const RefineQuery& query, RefinedPath& result) {
   result.path = query.path;
   result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;
   result.interrupted = false;
+  result.rough_cost = 0.0;
   result.travel_time = travel_time(query.path, query.vehicle, query.ends, memory_->profile, query.speed_zones);
   if (chain_of(query.path, query.start, query.goal, memory_->first_chain))
     Refiner(query, *memory_, result).run(memory_->first_chain);

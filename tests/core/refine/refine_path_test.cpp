@@ -296,6 +296,28 @@ TEST(RefinePath, LeavesPathsAtTheirLowerBoundAlone) {
   }
 }
 
+TEST(RefinePath, OptimizesNoTurnsOfAPathThatPromisesLess) {
+  const Vehicle vehicle = real_vehicle();
+  const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  const Outlines outlines(world);
+  const QuerySet queries = make_reference_queries(world);
+  for (const auto& [request, path] : cluttered_plans(world, 5)) {
+    RefineQuery query{path, request.start, request.goal, vehicle, *queries.sweep};
+    EXPECT_EQ(refine_path(query).rough_cost, 0.0);
+    query.world = &world;
+    query.outlines = &outlines;
+    const RefinedPath optimized = refine_path(query);
+    EXPECT_LT(optimized.travel_time, optimized.rough_cost);
+    query.worth_optimizing = 0.9999 * optimized.rough_cost;
+    const RefinedPath rough = refine_path(query);
+    EXPECT_EQ(rough.rough_cost, optimized.rough_cost);
+    EXPECT_EQ(rough.travel_time, optimized.rough_cost);
+    EXPECT_LT(rough.trials, optimized.trials);
+    query.worth_optimizing = optimized.rough_cost;
+    EXPECT_EQ(refine_path(query).travel_time, optimized.travel_time);
+  }
+}
+
 // A constant speed in turns: no optimization, so outlines change nothing.
 TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
   const Vehicle vehicle;
