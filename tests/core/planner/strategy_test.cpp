@@ -86,7 +86,7 @@ TEST(Strategy, RowsOnTheRoadmapInUseNeedAPath) {
 TEST(Strategy, DearForwardPathsAreNotImproved) {
   const World world({}, test::box(-20.0, -20.0, 20.0, 20.0).outer);
   const PlanRequest behind{.start = {0.0, 0.0, 0.0}, .goal = {-3.0, 0.0, 0.0}, .reverse = true};
-  const Planner planner(world, Vehicle{}), without(world, Vehicle{}, {.leave_out = {"120 maneuvers at both ends"}});
+  const Planner planner(world, Vehicle{}), without(world, Vehicle{}, {.leave_out = {"48 maneuvers at both ends"}});
   for (const bool reverse : {false, true}) {
     PlanRequest request = behind;
     request.reverse = reverse;
