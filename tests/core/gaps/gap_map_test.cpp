@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <tuple>
 #include <vector>
 
 #include "arcway/datasets/clutter.h"
 #include "arcway/query_set.h"
+#include "core/base/infinity.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/boxes.h"
@@ -18,8 +18,6 @@
 
 namespace arcway::internal {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using test::box;
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "arcway/vehicle.h"
+#include "core/base/infinity.h"
 #include "core/geometry/distance.h"
 #include "tests/support/boxes.h"
 #include "tests/support/random_bodies.h"
@@ -15,8 +15,6 @@
 
 namespace arcway::internal {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // By the definition: nearest and farthest point of the parts as seen from the center.
 SweptAnnulus annulus_by_distances(std::span<const Ring> parts, Side side, double radius) {

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
+
+#include "core/base/infinity.h"
 
 namespace arcway::internal {
 namespace {
@@ -16,7 +17,6 @@ double value_of(const LinearResiduals& residuals, double damping, const Eigen::V
 }
 
 StepLimits no_limits(Eigen::Index n) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {Eigen::VectorXd::Constant(n, -kInfinity), Eigen::VectorXd::Constant(n, kInfinity)};
 }
 

@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "arcway/datasets/clutter.h"
 #include "arcway/query_set.h"
+#include "core/base/infinity.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 PointDistance point_distance(const World& world, const QuerySet& queries) {
   return {world, rows_of(world, build_reduced_visibility_graph(world, *queries.visibility)),
