@@ -252,6 +252,15 @@ void require_starts(SnapshotArray array, std::span<const std::uint32_t> starts, 
 
 }  // namespace
 
+std::size_t vertex_count_of(std::span<const Polygon> polygons) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : polygons) {
+    count += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) count += hole.size();
+  }
+  return count;
+}
+
 void require_vertex_count(std::size_t count, ObstacleId obstacles) {
   if (count > kMaxVertices)
     throw WorldError(

@@ -9,11 +9,12 @@
 #include "arcway/world.h"
 #include "arcway/zone.h"
 
-/// Checks that a map's vertices have ids.
-/// @param obstacles  number of obstacles: the bounds' index in the error.
-/// @throws WorldError if there are more vertices than ids.
 namespace arcway::internal {
 
+/// The number of vertices of some polygons.
+std::size_t vertex_count_of(std::span<const Polygon> polygons);
+
+/// Checks that a map's vertices have ids.
 /// @param obstacles  their number, that of the bounds in the error.
 /// @throws WorldError if there are more vertices than ids.
 void require_vertex_count(std::size_t count, ObstacleId obstacles);
