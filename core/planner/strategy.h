@@ -131,12 +131,12 @@ inline constexpr StrategyRow kStrategy[] = {
     {"changes of gear near the ends",
      {.driving = Driving::kBothGears},
      JoinBetweenGears{{.cells = 8.0, .most = 24, .most_expansions = 100}}},
+    // Some milliseconds, less than looking further for a way out.
+    {"proof of an enclosure", {.known = Known::kNoPath, .driving = Driving::kBothGears}, ProveEnclosure{15'000}},
     {"trees in both gears, beside a path",
      {.known = Known::kPath, .driving = Driving::kBothGears, .gap = 0.2},
      GrowGearTrees{1500}},
     {"trees in both gears", {.known = Known::kNoPath, .driving = Driving::kBothGears}, GrowGearTrees{2000}},
-    // Some milliseconds, less than looking further for a way out.
-    {"proof of an enclosure", {.known = Known::kNoPath, .driving = Driving::kBothGears}, ProveEnclosure{15'000}},
     {"maneuvers to circles in gaps",
      {.known = Known::kNoPath},
      JoinByManeuversAndNarrowPlaces{On::kAllRadii, 100},

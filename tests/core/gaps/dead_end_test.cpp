@@ -44,7 +44,8 @@ TEST(DeadEnd, AWallAhead) {
     EXPECT_FALSE(dead_end(World({box(ahead, -40, ahead + 1, 40)}), vehicle, {0, 0, 0}, kFarGoal)) << ahead;
 }
 
-// Boxes that are halved once more prove what larger ones leave open, and a planner asks so before it grows trees.
+// Boxes that are halved once more prove what larger ones leave open. A planner asks so before it grows trees, and where
+// the boxes of its first question prove nothing.
 TEST(DeadEnd, SmallerBoxesProveMore) {
   const Vehicle vehicle;
   const double ahead = 0.93 * swept_annulus(vehicle.footprint(), Side::kLeft, vehicle.min_turning_radius()).outer;
@@ -59,7 +60,6 @@ TEST(DeadEnd, SmallerBoxesProveMore) {
   EXPECT_TRUE(proved({.halvings = 2, .max_checks = 100'000}));
   const PlanResult plan = Planner(world, vehicle).plan({.start = {0, 0, 0}, .goal = kFarGoal});
   EXPECT_EQ(plan.certainty, Certainty::kProved) << plan.reason;
-  EXPECT_GT(plan.statistics.maneuver_poses, 0u);
   EXPECT_EQ(plan.statistics.tree_poses, 0u);
 }
 

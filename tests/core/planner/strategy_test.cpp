@@ -100,6 +100,7 @@ TEST(Strategy, DearForwardPathsAreNotImproved) {
 TEST(Strategy, ChangesOfGearComeBeforeManeuvers) {
   const auto row = [](std::string_view name) { return std::ranges::find(kStrategy, name, &StrategyRow::name); };
   EXPECT_LT(row("changes of gear near the ends"), row("maneuvers"));
+  EXPECT_LT(row("proof of an enclosure"), row("trees in both gears"));
   EXPECT_LT(row("trees in both gears"), row("maneuvers"));
   EXPECT_EQ(row("maneuvers")->when.known, Known::kNoPath);
 }
