@@ -276,16 +276,26 @@ TEST(RefinePath, OptimizationStopsWhenAskedAndAtItsLimit) {
     }
 }
 
-TEST(RefinePath, LeavesPathsAtTheirLowerBoundAlone) {
-  const Vehicle vehicle = real_vehicle();
-  const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
-  const Outlines outlines(world);
-  const QuerySet queries = make_reference_queries(world);
-  for (const auto& [request, path] : cluttered_plans(world, 5)) {
+// Plans whose turns refinement optimizes.
+struct OptimizedPlans {
+  Vehicle vehicle = real_vehicle();
+  World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  Outlines outlines{world};
+  QuerySet queries = make_reference_queries(world);
+
+  [[nodiscard]] RefineQuery query(const PlanRequest& request, const Path& path) const {
     RefineQuery query{path, request.start, request.goal, vehicle, *queries.sweep};
     query.world = &world;
     query.outlines = &outlines;
-    const double before = speed_profile(path, vehicle).total_time;
+    return query;
+  }
+};
+
+TEST(RefinePath, LeavesPathsAtTheirLowerBoundAlone) {
+  const OptimizedPlans plans;
+  for (const auto& [request, path] : cluttered_plans(plans.world, 5)) {
+    RefineQuery query = plans.query(request, path);
+    const double before = speed_profile(path, plans.vehicle).total_time;
     for (const bool at_length : {false, true}) {
       query.at_length = at_length;
       query.lower_bound = 0.9999 * before;
@@ -297,15 +307,10 @@ TEST(RefinePath, LeavesPathsAtTheirLowerBoundAlone) {
 }
 
 TEST(RefinePath, OptimizesNoTurnsOfAPathThatPromisesLess) {
-  const Vehicle vehicle = real_vehicle();
-  const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
-  const Outlines outlines(world);
-  const QuerySet queries = make_reference_queries(world);
-  for (const auto& [request, path] : cluttered_plans(world, 5)) {
-    RefineQuery query{path, request.start, request.goal, vehicle, *queries.sweep};
-    EXPECT_EQ(refine_path(query).rough_cost, 0.0);
-    query.world = &world;
-    query.outlines = &outlines;
+  const OptimizedPlans plans;
+  for (const auto& [request, path] : cluttered_plans(plans.world, 5)) {
+    EXPECT_EQ(refine_path({path, request.start, request.goal, plans.vehicle, *plans.queries.sweep}).rough_cost, 0.0);
+    RefineQuery query = plans.query(request, path);
     const RefinedPath optimized = refine_path(query);
     EXPECT_LT(optimized.travel_time, optimized.rough_cost);
     query.worth_optimizing = 0.9999 * optimized.rough_cost;
