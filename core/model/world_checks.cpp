@@ -250,6 +250,17 @@ void require_starts(SnapshotArray array, std::span<const std::uint32_t> starts, 
   }
 }
 
+void require_zone(const Zone& zone, std::size_t index) {
+  const std::string name = zone_text(zone, index);
+  const std::string complaint = std::visit(RuleComplaint{}, zone.rule);
+  if (!complaint.empty()) throw ZoneError(name + ": " + complaint, index);
+  try {
+    static_cast<void>(RegionCheck(zone.area, 0, name).check());
+  } catch (const WorldError& error) {
+    throw ZoneError(error.what(), index);
+  }
+}
+
 }  // namespace
 
 std::size_t vertex_count_of(std::span<const Polygon> polygons) {
@@ -273,16 +284,7 @@ std::vector<RingContact> require_region(const Polygon& polygon, ObstacleId id, b
 }
 
 void require_zones(std::span<const Zone> zones) {
-  for (std::size_t i = 0; i < zones.size(); ++i) {
-    const std::string name = zone_text(zones[i], i);
-    const std::string complaint = std::visit(RuleComplaint{}, zones[i].rule);
-    if (!complaint.empty()) throw ZoneError(name + ": " + complaint, i);
-    try {
-      static_cast<void>(RegionCheck(zones[i].area, 0, name).check());
-    } catch (const WorldError& error) {
-      throw ZoneError(error.what(), i);
-    }
-  }
+  for (std::size_t i = 0; i < zones.size(); ++i) require_zone(zones[i], i);
 }
 
 void require_world(const WorldSnapshot& snapshot) {
