@@ -137,6 +137,17 @@ std::span<const VertexId> World::ring_starts(ObstacleId o) const {
   return std::span(data_->ring_starts).subspan(first, data_->region_rings[o + 1] - first);
 }
 
+Polygon World::polygon_of(ObstacleId o) const {
+  Polygon polygon;
+  const std::span<const VertexId> starts = ring_starts(o);
+  for (std::size_t r = 0; r < starts.size(); ++r) {
+    const VertexId end = r + 1 < starts.size() ? starts[r + 1] : vertices_of(o).last;
+    const std::span<const Vec2> ring = vertices().subspan(starts[r], end - starts[r]);
+    (r == 0 ? polygon.outer : polygon.holes.emplace_back()).assign(ring.begin(), ring.end());
+  }
+  return polygon;
+}
+
 const Box& World::box_of(ObstacleId o) const { return data_->boxes[o]; }
 const Box& World::box() const { return data_->box; }
 std::vector<ObstacleId> World::regions_meeting(std::span<const Box> boxes) const {

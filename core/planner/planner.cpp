@@ -121,17 +121,6 @@ struct AllOptions {
   PlannerOptions checked;  // with all that was chosen for this world
 };
 
-Polygon polygon_of(const World& world, ObstacleId obstacle) {
-  Polygon polygon;
-  const std::span<const VertexId> starts = world.ring_starts(obstacle);
-  for (std::size_t r = 0; r < starts.size(); ++r) {
-    const VertexId last = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(obstacle).last;
-    const std::span<const Vec2> ring = world.vertices().subspan(starts[r], last - starts[r]);
-    (r == 0 ? polygon.outer : polygon.holes.emplace_back()).assign(ring.begin(), ring.end());
-  }
-  return polygon;
-}
-
 // What a path drives closer to obstacles than a rule asks for.
 CloseDriving driven_close(const ClearanceCost::Rule& rule, std::span<const PathSegment> path) {
   CloseDriving close{.distance = rule.close.distance()};
@@ -427,7 +416,7 @@ void Planner::warm_up(std::size_t queries_at_once, bool for_changes) const {
     // All obstacles but the last one stay where they are.
     const auto last = static_cast<ObstacleId>(world().obstacle_count() - 1);
     const std::vector<ObstacleKey> key{world().key_of(last)};
-    const std::vector<Polygon> same{polygon_of(world(), last)};
+    const std::vector<Polygon> same{world().polygon_of(last)};
     const Planner one = with_obstacles(key, same), other = with_obstacles(key, same);
   }
   std::size_t most_circles = d.map().graph->circles().size();

@@ -61,20 +61,11 @@ MapFile to_map_file(const World& world) {
   map.zones.assign(world.zones().begin(), world.zones().end());
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
     if (world.keep_out_of(o) != kNone) continue;
-    const auto starts = world.ring_starts(o);
-    std::vector<Ring> rings;
-    for (std::size_t r = 0; r < starts.size(); ++r) {
-      const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
-      const auto all = world.vertices();
-      rings.emplace_back(all.begin() + starts[r], all.begin() + end);
-    }
-    if (o == world.obstacle_count()) {
-      map.bounds = std::move(rings.front());
-    } else {
-      Ring outer = std::move(rings.front());
-      rings.erase(rings.begin());
-      map.obstacles.push_back({std::move(outer), std::move(rings)});
-    }
+    Polygon polygon = world.polygon_of(o);
+    if (o == world.obstacle_count())
+      map.bounds = std::move(polygon.outer);
+    else
+      map.obstacles.push_back(std::move(polygon));
   }
   return map;
 }

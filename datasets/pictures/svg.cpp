@@ -114,17 +114,12 @@ Vec2 SvgPicture::to_picture(const Vec2& p) const {
 }
 
 void SvgPicture::add_map(const World& world) {
-  const auto vertices = world.vertices();
   for (ObstacleId o = 0; o < world.region_count(); ++o) {
     const bool bounds = o == world.obstacle_count();
     if (!bounds && (!world.box_of(o).overlaps(view_) || world.keep_out_of(o) != kNone)) continue;
     std::string& out = bounds ? bounds_ : obstacles_;
-    const auto starts = world.ring_starts(o);
     out += "<path d=\"";
-    for (std::size_t r = 0; r < starts.size(); ++r) {
-      const VertexId end = r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last;
-      add_ring(out, vertices.subspan(starts[r], end - starts[r]));
-    }
+    add_rings(out, world.polygon_of(o));
     out += "\"/>\n";
   }
 }
@@ -135,6 +130,11 @@ void SvgPicture::add_ring(std::string& out, std::span<const Vec2> ring) const {
     append_point(out, ring[i]);
   }
   out += 'Z';
+}
+
+void SvgPicture::add_rings(std::string& out, const Polygon& polygon) const {
+  add_ring(out, polygon.outer);
+  for (const Ring& hole : polygon.holes) add_ring(out, hole);
 }
 
 void SvgPicture::add_zones(const World& world) {
@@ -148,8 +148,7 @@ void SvgPicture::add_zones(const World& world) {
     const std::string pattern = "hatch-" + role + (shared ? "" : "-" + std::to_string(i));
     if (!shared || !legends.contains(role)) zones_ += zone_pattern(zone, pattern, scale_);
     zones_ += "<path fill=\"url(#" + pattern + ")\" " + stroke(color, 1.2) + " d=\"";
-    add_ring(zones_, zone.area.outer);
-    for (const Ring& hole : zone.area.holes) add_ring(zones_, hole);
+    add_rings(zones_, zone.area);
     zones_ += "\"/>\n";
     std::string& legend = legends[role];
     legend += (legend.empty() ? square(color) + escaped(role) + ": " : ", ") + escaped(legend_text(zone, i));

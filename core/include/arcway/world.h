@@ -173,6 +173,9 @@ class ARCWAY_API World {
   };
   [[nodiscard]] VertexRange vertices_of(ObstacleId o) const;
   [[nodiscard]] std::span<const VertexId> ring_starts(ObstacleId o) const;
+  /// A region's rings [m] as they were given: `World` takes them again. The bounds are a polygon whose interior is
+  /// free. O(vertices of the region).
+  [[nodiscard]] Polygon polygon_of(ObstacleId o) const;
   /// The box of a region's vertices [m].
   [[nodiscard]] const Box& box_of(ObstacleId o) const;
   /// The box of all vertices [m]; empty for a world without any.

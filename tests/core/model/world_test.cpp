@@ -89,6 +89,11 @@ TEST(World, KeepsVerticesAndTurnsTheObstacleToTheLeft) {
     EXPECT_EQ(world.vertices_of(0).first, 0u);
     EXPECT_EQ(world.vertices_of(0).last, 8u);
     EXPECT_EQ(world.vertices_of(2).last, 16u);
+    EXPECT_EQ(world.polygon_of(0).outer, frame.outer);
+    EXPECT_EQ(world.polygon_of(0).holes, frame.holes);
+    EXPECT_EQ(world.polygon_of(1).outer, ring(square(20, 0, 1)));
+    EXPECT_EQ(world.polygon_of(2).outer, ring(square(-5, -5, 50)));
+    EXPECT_TRUE(world.polygon_of(2).holes.empty());
     ASSERT_EQ(world.ring_starts(0).size(), 2u);
     EXPECT_EQ(world.ring_starts(0)[1], 4u);
     EXPECT_EQ(world.ring_starts(2)[0], 12u);

@@ -88,6 +88,7 @@ class ARCWAY_API SvgPicture {
   void add_map(const World& world);
   void add_zones(const World& world);
   void add_ring(std::string& out, std::span<const Vec2> ring) const;
+  void add_rings(std::string& out, const Polygon& polygon) const;
   struct Colors {
     std::string_view forward, reverse;
   };
