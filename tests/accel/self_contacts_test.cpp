@@ -4,12 +4,8 @@
 #include <vector>
 
 #include "accel/backend/make_queries.h"
-#include "accel/expansion/contact_edges.h"
-#include "accel/expansion/free_space_triangulation.h"
-#include "accel/expansion/sleeves.h"
 #include "accel/expansion/tangent_neighbors.h"
 #include "accel/graphs/changed_graph.h"
-#include "accel/graphs/cone_edges.h"
 #include "accel/graphs/pairwise_graph.h"
 #include "arcway/accel/parallel.h"
 #include "arcway/accel/tangent_cone_graph.h"
@@ -17,6 +13,7 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/map_file.h"
 #include "arcway/visibility_rows.h"
+#include "tests/support/sleeve_graph.h"
 #include "tests/support/touching_worlds.h"
 #include "tests/support/visibility_oracle.h"
 
@@ -35,17 +32,6 @@ void expect_rows(const World& world, const VisibilityGraph& graph) {
   }
 }
 
-VisibilityGraph graph_by_sleeves(const World& world) {
-  FreeSpaceTriangulation triangulation(world);
-  triangulation.list_left_edges();
-  const Sleeves sleeves(triangulation, 1);
-  const LongFans fans(triangulation, 1);
-  std::vector<EdgeList> lists =
-      cone_edges({triangulation, sleeves, fans}, {0, triangulation.nodes().size()}, SerialExecutor());
-  add_missing(edges_through_contacts(world, triangulation), lists);
-  return graph_of(world.vertices().size(), lists, SerialExecutor());
-}
-
 // Compares every builder with an oracle that knows no cones.
 TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
   std::size_t contacts = 0, edges = 0;
@@ -59,7 +45,7 @@ TEST(SelfContacts, AllBuildersAgreeWithTheOracle) {
     ASSERT_EQ(test::edges_of(graph), oracle.reduced());
     ASSERT_EQ(test::edges_of(build_full_visibility_graph_by_expansion(world)), oracle.full());
     ASSERT_EQ(build_reduced_visibility_graph_by_tangent_cones(world, TbbExecutor(3)), graph);
-    ASSERT_EQ(graph_by_sleeves(world), graph);
+    ASSERT_EQ(test::graph_by_sleeves(world), graph);
     const QuerySet queries = make_embree_queries(world);
     ASSERT_EQ(build_pairwise_visibility_graph(world, *queries.visibility, SerialExecutor()), graph);
     ASSERT_EQ(test::edges_of(build_full_visibility_graph(world, *queries.visibility)), oracle.full());

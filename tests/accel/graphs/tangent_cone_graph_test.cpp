@@ -10,12 +10,8 @@
 #include <vector>
 
 #include "accel/backend/make_queries.h"
-#include "accel/expansion/contact_edges.h"
-#include "accel/expansion/edge_list.h"
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/long_fans.h"
-#include "accel/expansion/sleeves.h"
-#include "accel/graphs/cone_edges.h"
 #include "accel/graphs/pairwise_graph.h"
 #include "arcway/accel/parallel.h"
 #include "arcway/datasets/catalog.h"
@@ -24,6 +20,7 @@
 #include "arcway/query_set.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/nasty_worlds.h"
+#include "tests/support/sleeve_graph.h"
 
 namespace arcway::internal {
 namespace {
@@ -50,24 +47,13 @@ std::string edges_missing_from(const VisibilityGraph& from, const VisibilityGrap
                                        << "\nextra:" << edges_missing_from(expected, graph);
 }
 
-// Crosses all sleeves and fans in one step, however short.
-VisibilityGraph graph_by_sleeves(const World& world, Diagonals shortened) {
-  FreeSpaceTriangulation triangulation(world, SerialExecutor(), shortened);
-  triangulation.list_left_edges();
-  const Sleeves sleeves(triangulation, 1);
-  const LongFans fans(triangulation, 1);
-  std::vector<EdgeList> lists =
-      cone_edges({triangulation, sleeves, fans}, {0, triangulation.nodes().size()}, SerialExecutor());
-  add_missing(edges_through_contacts(world, triangulation), lists);
-  return graph_of(world.vertices().size(), lists, SerialExecutor());
-}
-
 ::testing::AssertionResult agrees(const World& world) {
   const VisibilityGraph expected = reference(world);
   if (const auto result = agrees(build_reduced_visibility_graph_by_tangent_cones(world), expected); !result)
     return result;
   for (const Diagonals shortened : {Diagonals::kLong, Diagonals::kAll})
-    if (auto result = agrees(graph_by_sleeves(world, shortened), expected); !result) return result << "\nby sleeves";
+    if (auto result = agrees(test::graph_by_sleeves(world, shortened), expected); !result)
+      return result << "\nby sleeves";
   return ::testing::AssertionSuccess();
 }
 
