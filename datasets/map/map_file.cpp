@@ -36,6 +36,16 @@ std::string remedy_for(const Polygon& polygon, std::string_view name) {
   return "; a wall needs a width: draw it as a line string and give --wall-width, or leave it out by '" + repair + "'";
 }
 
+// Whether World refuses it, alone as it is.
+bool is_refused(const Polygon& polygon) {
+  try {
+    const World alone({polygon});
+    return false;
+  } catch (const WorldError&) {
+    return true;
+  }
+}
+
 }  // namespace
 
 World to_world(const MapFile& map, std::string_view name) {
@@ -45,7 +55,9 @@ World to_world(const MapFile& map, std::string_view name) {
   } catch (const ZoneError& error) {
     const std::size_t k = error.zone();
     const std::string place = k < map.zone_places.size() ? map.zone_places[k] + ": " : "";
-    throw FormatError(std::string(name) + ": " + place + error.what() + remedy_for(map.zones[k].area, name));
+    const Polygon& area = map.zones[k].area;
+    const std::string remedy = is_refused(area) ? remedy_for(area, name) : "";  // else its rule is
+    throw FormatError(std::string(name) + ": " + place + error.what() + remedy);
   } catch (const WorldError& error) {
     const std::size_t k = error.obstacle();
     const std::string place = k < map.places.size() ? map.places[k] : k >= map.obstacles.size() ? map.bounds_place : "";

@@ -41,6 +41,24 @@ TEST(MapFile, NamesTheRepairOfRingsThatAreRefused) {
   EXPECT_EQ(refusal({{0, 0}, {1e300, 0}, {0, 1}}).find("--repair"), std::string::npos);
 }
 
+TEST(MapFile, NamesTheRepairOfZonesWhoseRingsAreRefused) {
+  if (!can_repair()) GTEST_SKIP() << "built without GEOS";
+  const auto refusal = [](const Ring& ring, double heading) {
+    MapFile map;
+    map.zones = {{{ring, {}}, OneWay{heading, 0.5}, "lane"}};
+    try {
+      to_world(map, "yard.geojson");
+    } catch (const FormatError& error) {
+      return std::string(error.what());
+    }
+    return std::string("taken");
+  };
+  EXPECT_NE(refusal({{0, 0}, {10, 10}, {10, 0}, {0, 12}}, 0.0).find("--repair"), std::string::npos);
+  const std::string rule = refusal(test::square(0, 0, 4), 90.0);
+  EXPECT_NE(rule.find("if 90 is in degrees"), std::string::npos) << rule;
+  EXPECT_EQ(rule.find("--repair"), std::string::npos) << rule;
+}
+
 TEST(MapFile, WorldGivesItsPolygonsBack) {
   MapFile map;
   map.obstacles = {{{{0, 0}, {0, 9}, {9, 9}, {9, 0}}, {{{2, 5}, {2, 6}, {3, 6}}}}, {test::square(20, 0, 1), {}}};
