@@ -86,6 +86,7 @@ bool PlanRun::holds(const When& when) {
   if (when.care != Care::kAny && (when.care == Care::kThorough) != is_thorough()) return false;
   if ((when.refines && !refines()) || (when.grows_trees && tree_poses_ == 0) || !holds(when.known)) return false;
   if (when.has_speed_limits && !query_.maps.zone_routes) return false;
+  if (when.has_one_way && !map_.one_way_zones) return false;
   if (when.gap > 0.0) {
     const double cost = when.driving == Driving::kBothGears ? reversing_search().cost() : fastest_.times.cost;
     if (!has_gap(cost, when.gap, when.gap_counts_zones)) return false;
@@ -234,8 +235,7 @@ void PlanRun::note_first(const Path& path, double time) {
   result_.first_path = path;
 }
 
-// Paths of trees have many short motions.
-void PlanRun::keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
+void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
   const bool is_first = !found_;
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;

@@ -116,6 +116,7 @@ class PlanRun {
   void take(const GrowSlimTrees& step, double trials);
   void take(const RaiseLowerBound& step, double trials);
   void take(const FollowZoneRoutes& step, double trials);
+  void take(const FollowOneWayRoutes& step, double trials);
   void take(const TryManeuvers& step, double trials);
   void take(const TryNarrowPlaces& step, double trials);
   void take(const TryOtherLastCircle& step, double trials);
@@ -139,7 +140,8 @@ class PlanRun {
   void keep_forwards(On on, FoundPath&& found, double trials);
   // Notes a path as the first one, unless one is noted.
   void note_first(const Path& path, double time);
-  void keep_of_trees(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
+  // Shortens a path of many motions, and keeps it.
+  void keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   void keep_in_both_gears();
   // Refines a path, unless that promises nothing, and keeps it if it is one of the two cheapest.
   // `way`: see SearchResult.
@@ -148,8 +150,9 @@ class PlanRun {
   [[nodiscard]] const RefinedWay* refined_before(std::uint64_t way, double unrefined) const;
   // Refines a path into the workspace.
   void refine(const Path& path, double trials, RefineMode mode);
-  // A path from start to goal over places that it passes in the middle of its turns. Nothing if some leg has none.
-  std::optional<Path> path_over(std::span<const Vec2> places);
+  // Appends a path from pose to pose.
+  // @return the number of legs that were found until one was not.
+  std::size_t drive_over(std::span<const Pose> poses, Path& path);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
   void try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
   // Infinite if a path cannot be driven between the speeds at its ends.

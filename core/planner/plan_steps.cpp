@@ -14,6 +14,7 @@
 #include "core/planner/plan_run.h"
 #include "core/planner/strategy.h"
 #include "core/refine/shorten_path.h"
+#include "core/search/one_way_routes.h"
 #include "core/search/push_free.h"
 
 namespace arcway::internal {
@@ -139,7 +140,7 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
-  if (grown.search.path) keep_of_trees(maps, std::move(*grown.search.path), step.shortenings, trials);
+  if (grown.search.path) keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials);
 }
 
 bool PlanRun::holds(WhenSlim when) const {
@@ -177,7 +178,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const bool is_hopeless = end.surroundings != Surroundings::kOpen || end.ran_dry;
   is_path_refused_ = end.refused > 0;
   are_trees_vain_ = !is_path_refused_ && is_hopeless;
-  if (grown.search.path) keep_of_trees(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
+  if (grown.search.path) keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
 }
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
@@ -214,6 +215,17 @@ double time_with_stops(std::span<const Vec2> places, const Vehicle& vehicle, con
   return time;
 }
 
+// From start to goal over places that are passed in the middle of turns.
+std::vector<Pose> poses_over(std::span<const Vec2> places, const PlanRequest& request) {
+  std::vector<Pose> poses{request.start};
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    const Vec2 along = (places[i] - places[i - 1]).normalized() + (places[i + 1] - places[i]).normalized();
+    poses.push_back({places[i].x(), places[i].y(), std::atan2(along.y(), along.x())});
+  }
+  poses.push_back(request.goal);
+  return poses;
+}
+
 }  // namespace
 
 void PlanRun::take(const FollowZoneRoutes& step, double trials) {
@@ -225,31 +237,37 @@ void PlanRun::take(const FollowZoneRoutes& step, double trials) {
     if (route->places.size() == 2 || route->time > (1.0 - step.least_gain) * best_cost_) continue;
     const double most = (1.0 + step.unrefined) * best_cost_;
     if (time_with_stops(route->places, map_.vehicle, query_.ends()) > most) continue;
-    std::optional<Path> path = path_over(route->places);
-    if (!path || travel_time(*path) > most) continue;
-    keep(std::move(*path), 0, trials, RefineMode::kForwards);
+    const std::vector<Pose> poses = poses_over(route->places, query_.request);
+    Path path;
+    if (drive_over(poses, path) + 1 < poses.size() || travel_time(path) > most) continue;
+    keep(std::move(path), 0, trials, RefineMode::kForwards);
   }
 }
 
-std::optional<Path> PlanRun::path_over(std::span<const Vec2> places) {
-  Path path;
-  Pose from = query_.request.start;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const bool is_last = i + 1 == places.size();
-    Pose to = query_.request.goal;
-    if (!is_last) {
-      const Vec2 along = (places[i] - places[i - 1]).normalized() + (places[i + 1] - places[i]).normalized();
-      to = {places[i].x(), places[i].y(), std::atan2(along.y(), along.x())};
-    }
+std::size_t PlanRun::drive_over(std::span<const Pose> poses, Path& path) {
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     SearchOptions leg = search_options_;
-    leg.ends = {i == 1 ? query_.ends().start : 0.0, is_last ? query_.ends().goal : 0.0};
+    leg.ends = {i == 0 ? query_.ends().start : 0.0, i + 2 == poses.size() ? query_.ends().goal : 0.0};
     leg.end_radii = end_radii(kEndRadii);
-    const FoundPath found = search([&] { return find_path_with_maneuvers(map_, {from, to, 0}, leg, workspace_.find); });
-    if (!found.search.path) return std::nullopt;
+    const FoundPath found = search([&] {
+      return find_path_with_maneuvers(map_, {poses[i], poses[i + 1], 0}, leg, workspace_.find);
+    });
+    if (!found.search.path) return i;
     path.insert(path.end(), found.search.path->begin(), found.search.path->end());
-    from = to;
   }
-  return path;
+  return poses.size() - 1;
+}
+
+void PlanRun::take(const FollowOneWayRoutes& step, double trials) {
+  OneWayRoutes routes(map_, query_.request.start, query_.request.goal);
+  for (std::uint32_t i = 0; i < step.most; ++i) {
+    const auto poses = routes.find(query_.clock);
+    if (!poses) return;
+    Path path;
+    const std::size_t legs = drive_over(*poses, path);
+    if (legs + 1 == poses->size()) return keep_shortened(query_.maps.all, std::move(path), step.shortenings, trials);
+    routes.leave_out(legs);
+  }
 }
 
 void PlanRun::take(const TryManeuvers& step, double trials) {

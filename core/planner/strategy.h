@@ -123,6 +123,11 @@ inline constexpr StrategyRow kStrategy[] = {
      {.known = Known::kNoPath, .driving = Driving::kForwards},
      ProveDeadEnd{{.halvings = 1, .max_checks = 8500}}},
     {"circles in gaps", {.known = Known::kNoPath}, JoinByNarrowPlaces{On::kAllRadii}, kUntilCompared},
+    // The graph has no circles around zones.
+    {"routes through one-way zones",
+     {.known = Known::kNoPath, .has_one_way = true},
+     FollowOneWayRoutes{.most = 8, .shortenings = 1},
+     kUntilCompared},
     // Most ways out of narrow places are found sooner in both gears than by maneuvers. Where a path in both gears is
     // much cheaper, nothing looks for faster ones that are driven forwards.
     {"lower bound around obstacles", {.known = Known::kPath, .driving = Driving::kBothGears}, RaiseLowerBound{}},

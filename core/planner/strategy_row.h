@@ -40,6 +40,7 @@ struct When {
   Care care = Care::kAny;
   bool refines = false;           ///< paths are refined
   bool has_speed_limits = false;  ///< zones of the map limit the speed
+  bool has_one_way = false;       ///< zones of the map limit directions
   bool grows_trees = false;       ///< trees are wanted: PlanLimits::tree_poses, PlannerOptions::maneuver_poses
   double gap = 0.0;       ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
   double best_gap = 0.0;  ///< least gap of the best plan so far
@@ -126,6 +127,12 @@ struct FollowZoneRoutes {
   double least_gain;               ///< of a route's time, as a share of that of the best path
   double unrefined;                ///< a path that takes longer than the best one by this share is not refined
 };
+/// Looks for a path through and around one-way zones in the open: OneWayRoutes. The vehicle passes the places of a
+/// route, and refinement moves them.
+struct FollowOneWayRoutes {
+  std::uint32_t most;         ///< routes to try; each but the first leaves out a line along which no path was found
+  std::uint32_t shortenings;  ///< as for GrowTrees
+};
 /// Looks for a faster path with maneuvers at both ends, on the roadmap in use.
 struct TryManeuvers {
   std::uint32_t poses;  ///< at each end, sparse
@@ -176,9 +183,9 @@ struct GrowNarrowGearTrees {
 
 using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
                           JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
-                          GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, TryManeuvers, TryNarrowPlaces,
-                          TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest,
-                          JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
+                          GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers,
+                          TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii,
+                          RefineBest, JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -91,6 +91,9 @@ struct StepText {
     return "follow the fastest routes of a point, and of one in zones " + shortest_text(step.slower.back()) +
            " times as slow";
   }
+  std::string operator()(const FollowOneWayRoutes& step) const {
+    return "follow routes through and around one-way zones, at most " + std::to_string(step.most);
+  }
   std::string operator()(const TryManeuvers& step) const {
     return "search again, with maneuvers of " + std::to_string(step.poses) + " sparse poses at both ends";
   }
@@ -139,6 +142,7 @@ std::string text_of(const When& when) {
   add(when.care == Care::kThorough, "one radius and refined");
   add(when.care == Care::kQuick, "several radii or unrefined");
   add(when.has_speed_limits, "zones limit the speed");
+  add(when.has_one_way, "zones limit directions");
   add(when.refines && when.care != Care::kThorough, "refined");
   add(when.gap > 0.0, "gap > " + percent(when.gap));
   add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));

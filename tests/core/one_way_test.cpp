@@ -149,6 +149,24 @@ TEST(OneWay, NoMotionIsNeededFromAPoseToItself) {
   EXPECT_TRUE(plan.solved()) << plan.reason;
 }
 
+// Without obstacles, the graph has no circles to turn at.
+TEST(OneWay, ZonesInTheOpenAreCrossedAsTheyAllowOrGoneRound) {
+  const World field({}, box(0, 0, 60, 40).outer);
+  const World across = field.with_zones({{box(25, 0, 30, 40), OneWay{0.5 * kPi, 0.5}, "road"}});
+  const World around = field.with_zones({{box(20, 10, 40, 30), OneWay{kPi, 0.3}, "square"}});
+  const World both = field.with_zones(
+      {{box(15, 0, 20, 40), OneWay{0.5 * kPi, 0.5}, "up"}, {box(35, 0, 40, 40), OneWay{-0.5 * kPi, 0.5}, "down"}});
+  const PlanLimits no_trees{.tree_poses = 0};
+  for (const World& world : {across, around, both})
+    for (const bool reverse : {false, true}) {
+      const PlanRequest request{.start = {5, 20, 0}, .goal = {55, 20, 0}, .reverse = reverse};
+      expect_obeyed(Planner(world, Vehicle()).plan(request, no_trees));
+      expect_obeyed(Planner(world, small_car()).plan(request, no_trees));
+      const Planner without(world, Vehicle(), {.leave_out = {"routes through one-way zones"}});
+      EXPECT_FALSE(without.plan({request.start, request.goal}, no_trees).solved());
+    }
+}
+
 // Whoever leaves through a ring of zones cannot come back in.
 TEST(OneWay, ARingWithoutEntryIsNamedAndNotProved) {
   const double tolerance = 0.4;

@@ -1,0 +1,144 @@
+#include "core/search/one_way_routes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <variant>
+
+#include "arcway/angle.h"
+#include "core/base/infinity.h"
+#include "core/zones/one_way_zones.h"
+
+namespace arcway::internal {
+
+namespace {
+
+constexpr std::size_t kMostEdges = 60;          // of all zones that have places
+constexpr std::array kPlaces{0.25, 0.5, 0.75};  // on an edge, as shares of its length
+constexpr std::array kShares{0.0, -0.9, 0.9};   // directions of crossings, in tolerances from the zone's heading
+constexpr std::uint32_t kStartPlace = 0, kGoalPlace = 1;
+
+template <class Visit>
+void visit_edges(const Ring& ring, std::size_t every, Visit&& visit) {
+  for (std::size_t i = 0; i < ring.size(); i += every) visit(ring[i], ring[(i + 1) % ring.size()]);
+}
+
+Pose pose_along(const Vec2& from, const Vec2& direction) {
+  return {from.x(), from.y(), std::atan2(direction.y(), direction.x())};
+}
+
+// How far a ray from a place on the border of a zone leads inside it; nothing if it does not.
+std::optional<double> length_inside(const Zone& zone, const Vec2& place, const Vec2& direction) {
+  std::vector<double> crossings;
+  const auto add = [&](const Vec2& a, const Vec2& b) {
+    const Vec2 edge = b - a;
+    const double across = cross(direction, edge);
+    if (across == 0.0) return;
+    const double on_edge = cross(a - place, direction) / across, along = cross(a - place, edge) / across;
+    if (on_edge >= 0.0 && on_edge <= 1.0 && along > OneWayZones::kBorder) crossings.push_back(along);
+  };
+  visit_edges(zone.area.outer, 1, add);
+  for (const Ring& hole : zone.area.holes) visit_edges(hole, 1, add);
+  if (crossings.size() % 2 == 0) return std::nullopt;
+  return std::ranges::min(crossings);
+}
+
+}  // namespace
+
+OneWayRoutes::OneWayRoutes(const Roadmap& map, const Pose& start, const Pose& goal)
+    : map_(map), start_(start), goal_(goal), places_{start.position(), goal.position()} {
+  std::size_t edges = 0;
+  for (const std::uint32_t z : map.one_way_zones->zones()) {
+    const Polygon& area = map.world.zones()[z].area;
+    edges += area.outer.size();
+    for (const Ring& hole : area.holes) edges += hole.size();
+  }
+  for (const std::uint32_t z : map.one_way_zones->zones()) add_places(map.world.zones()[z], 1 + edges / kMostEdges);
+  left_out_.insert({kStartPlace, kGoalPlace});
+}
+
+void OneWayRoutes::add_places(const Zone& zone, std::size_t every) {
+  const auto add = [&](const Vec2& a, const Vec2& b) {
+    for (const double share : kPlaces) add_crossings(zone, a + share * (b - a));
+  };
+  visit_edges(zone.area.outer, every, add);
+  for (const Ring& hole : zone.area.holes) visit_edges(hole, every, add);
+  add_corners(zone.area.outer);
+}
+
+void OneWayRoutes::add_corners(const Ring& ring) {
+  const double radius = map_.vehicle.min_turning_radius();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 before = (ring[i] - ring[(i + ring.size() - 1) % ring.size()]).normalized();
+    const Vec2 after = (ring[(i + 1) % ring.size()] - ring[i]).normalized();
+    const Vec2 out = before - after;
+    if (!out.isZero(0.0)) places_.push_back(ring[i] + radius * out.normalized());
+  }
+}
+
+void OneWayRoutes::add_crossings(const Zone& zone, const Vec2& place) {
+  places_.push_back(place);
+  const auto& rule = std::get<OneWay>(zone.rule);
+  for (const double share : kShares) {
+    if (share != 0.0 && rule.tolerance == 0.0) continue;
+    const Vec2 direction = direction_of(rule.heading + share * rule.tolerance);
+    for (const Vec2& d : {direction, Vec2(-direction)})
+      if (const auto length = length_inside(zone, place, d)) places_.emplace_back(place + *length * d);
+  }
+}
+
+bool OneWayRoutes::is_allowed(std::uint32_t from, std::uint32_t to) const {
+  const Vec2 d = places_[to] - places_[from];
+  return map_.one_way_zones->allows_line(pose_along(places_[from], d), d.norm(), Gear::kForward);
+}
+
+std::optional<std::vector<Pose>> OneWayRoutes::find(const StopClock& clock) {
+  using Entry = std::pair<double, std::uint32_t>;
+  const std::size_t n = places_.size();
+  const double turn = map_.vehicle.min_turning_radius();
+  std::vector<double> lengths(n, kInfinity);
+  std::vector<std::uint32_t> before(n, kStartPlace);
+  std::vector<bool> done(n, false);
+  const auto to_goal = [&](std::uint32_t p) { return (places_[kGoalPlace] - places_[p]).norm(); };
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  lengths[kStartPlace] = 0.0;
+  open.push({to_goal(kStartPlace), kStartPlace});
+  while (!done[kGoalPlace]) {
+    if (open.empty() || clock.is_over()) return std::nullopt;
+    const std::uint32_t from = open.top().second;
+    open.pop();
+    if (done[from]) continue;
+    done[from] = true;
+    for (std::uint32_t to = 0; to < n; ++to) {
+      const double length = lengths[from] + (places_[to] - places_[from]).norm() + turn;
+      if (done[to] || length >= lengths[to] || left_out_.contains({from, to}) || !is_allowed(from, to)) continue;
+      lengths[to] = length;
+      before[to] = from;
+      open.push({length + to_goal(to), to});
+    }
+  }
+  route_ = {kGoalPlace};
+  while (route_.back() != kStartPlace) route_.push_back(before[route_.back()]);
+  std::ranges::reverse(route_);
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < route_.size(); ++i) poses.push_back(pose_at(i));
+  return poses;
+}
+
+Pose OneWayRoutes::pose_at(std::size_t i) const {
+  if (i == 0) return start_;
+  if (i + 1 == route_.size()) return goal_;
+  const std::uint32_t here = route_[i];
+  const Vec2 in = (places_[here] - places_[route_[i - 1]]).normalized();
+  const Vec2 out = (places_[route_[i + 1]] - places_[here]).normalized();
+  // Zones limit a line that may not be driven the other way round.
+  const bool is_in_limited = !is_allowed(here, route_[i - 1]), is_out_limited = !is_allowed(route_[i + 1], here);
+  if (is_in_limited != is_out_limited) return pose_along(places_[here], is_in_limited ? in : out);
+  return pose_along(places_[here], in + out);
+}
+
+void OneWayRoutes::leave_out(std::size_t line) { left_out_.insert({route_[line], route_[line + 1]}); }
+
+}  // namespace arcway::internal
