@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 
 namespace arcway::internal {
 namespace {
@@ -95,9 +96,13 @@ std::optional<WordParts> three_arcs(const Circles& c, double middle_radius) {
                    turn_of(c.s0 * (c.h1 - heading) - 2.0 * half_angle, noise)};
 }
 
-}  // namespace
+/// The motions of a word, some of which may have no length.
+struct WordMotions {
+  std::array<double, 3> lengths;  // [m]
+  std::array<double, 3> curvatures;
+};
 
-std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {
+std::optional<WordMotions> motions_of(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {
   for (const double radius : {radii.left, radii.right})
     if (!(radius > 0.0) || !std::isfinite(radius))
       throw std::invalid_argument("dubins_path: radius must be finite and > 0");
@@ -116,21 +121,33 @@ std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const 
     parts = opposite_sides(circles);
   }
   if (!parts) return std::nullopt;
+  return WordMotions{
+      {parts->first * circles.r0, turns_thrice ? parts->middle * middle_radius : parts->middle,
+       parts->last * circles.r1},
+      {circles.s0 / circles.r0, turns_thrice ? -circles.s0 / middle_radius : 0.0, circles.s1 / circles.r1}};
+}
 
+}  // namespace
+
+std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {
+  const auto motions = motions_of(word, start, goal, radii);
+  if (!motions) return std::nullopt;
   DubinsPath path;
-  const auto append = [&path, &start](double length, double curvature) {
-    if (!(length > 0.0)) return;
-    path.parts[path.count] = {path.count == 0 ? start : path.parts[path.count - 1].end(), length, curvature};
+  for (std::size_t i = 0; i < motions->lengths.size(); ++i) {
+    if (!(motions->lengths[i] > 0.0)) continue;
+    path.parts[path.count] = {path.count == 0 ? start : path.parts[path.count - 1].end(), motions->lengths[i],
+                              motions->curvatures[i]};
     ++path.count;
-  };
-  append(parts->first * circles.r0, circles.s0 / circles.r0);
-  if (turns_thrice) {
-    append(parts->middle * middle_radius, -circles.s0 / middle_radius);
-  } else {
-    append(parts->middle, 0.0);
   }
-  append(parts->last * circles.r1, circles.s1 / circles.r1);
   return path;
+}
+
+double dubins_length(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {
+  const auto motions = motions_of(word, start, goal, radii);
+  if (!motions) return kInfinity;
+  double length = 0.0;
+  for (const double part : motions->lengths) length += std::max(0.0, part);
+  return length;
 }
 
 std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii) {

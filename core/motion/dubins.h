@@ -27,6 +27,8 @@ struct DubinsPath {
 /// LSL and RSR. Constant time. Error of the end pose: a few units in the last place of the coordinates.
 /// @throws std::invalid_argument if a radius is not finite and > 0.
 std::optional<DubinsPath> dubins_word(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii);
+/// Length of the path of dubins_word [m]; infinity where the word does not exist.
+double dubins_length(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii);
 /// The path of dubins_word as a Path.
 std::optional<Path> dubins_path(DubinsWord word, const Pose& start, const Pose& goal, const SideRadii& radii);
 

@@ -1,7 +1,5 @@
 #include "core/motion/gear_words.h"
 
-#include <limits>
-
 namespace arcway::internal {
 
 namespace {
@@ -9,24 +7,25 @@ namespace {
 // What is driven backwards from a pose to another is driven forwards the other way.
 bool is_backwards(std::size_t word) { return word >= kReedsSheppWords + kDubinsWords.size(); }
 
-std::optional<DubinsPath> dubins(std::size_t word, const Pose& start, const Pose& goal, const SideRadii& radii) {
-  const DubinsWord which = kDubinsWords[(word - kReedsSheppWords) % kDubinsWords.size()];
-  return is_backwards(word) ? dubins_word(which, goal, start, radii) : dubins_word(which, start, goal, radii);
-}
+DubinsWord dubins_word_of(std::size_t word) { return kDubinsWords[(word - kReedsSheppWords) % kDubinsWords.size()]; }
 
 }  // namespace
 
-double gear_word_length(std::size_t word, const Pose& start, const Pose& goal, const SideRadii& radii) {
-  if (word < kReedsSheppWords) return reeds_shepp_length(word, start, goal, radii.larger());
-  const auto path = dubins(word, start, goal, radii);
-  return path ? length_of(path->segments()) : std::numeric_limits<double>::infinity();
+GearWords::GearWords(const Pose& start, const Pose& goal, const SideRadii& radii)
+    : start_(start), goal_(goal), radii_(radii), reeds_shepp_(start, goal, radii.larger()) {}
+
+double GearWords::length(std::size_t word, double most) const {
+  if (word < kReedsSheppWords) return reeds_shepp_.length(word, most);
+  const bool backwards = is_backwards(word);
+  return dubins_length(dubins_word_of(word), backwards ? goal_ : start_, backwards ? start_ : goal_, radii_);
 }
 
-std::optional<Path> gear_word_path(std::size_t word, const Pose& start, const Pose& goal, const SideRadii& radii) {
-  if (word < kReedsSheppWords) return reeds_shepp_path(word, start, goal, radii.larger());
-  const auto path = dubins(word, start, goal, radii);
+std::optional<Path> GearWords::path(std::size_t word) const {
+  if (word < kReedsSheppWords) return reeds_shepp_.path(word);
+  const bool backwards = is_backwards(word);
+  const auto path = dubins_word(dubins_word_of(word), backwards ? goal_ : start_, backwards ? start_ : goal_, radii_);
   if (!path) return std::nullopt;
-  return is_backwards(word) ? reversed(path->segments()) : Path(path->segments().begin(), path->segments().end());
+  return backwards ? reversed(path->segments()) : Path(path->segments().begin(), path->segments().end());
 }
 
 }  // namespace arcway::internal

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 
 namespace arcway::internal {
 namespace {
@@ -16,11 +17,6 @@ constexpr double kWordRounding = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr double kMostRounding =
     1e-9;  // of the direction of a line between circles to either side: the end moves by that
 constexpr double kQuarter = 0.5 * kPi;
-
-/// The goal seen from the start, lengths in radii.
-struct Target {
-  double x, y, heading;
-};
 
 /// Signed lengths of the letters, backwards negative; arcs as angles.
 using SignedParts = std::optional<std::array<double, 5>>;
@@ -50,45 +46,44 @@ SignedParts parts_of(std::optional<double> first, double second, double third, d
   return std::array{*first, second, third, fourth, *last};
 }
 
-/// From the first circle's center to the last one's: both to the left, or the last one to the right.
-Vec2 to_left(const Target& g) { return {g.x - std::sin(g.heading), g.y - 1.0 + std::cos(g.heading)}; }
-Vec2 to_right(const Target& g) { return {g.x + std::sin(g.heading), g.y - 1.0 - std::cos(g.heading)}; }
+using Target = ReedsSheppTarget;
+
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 /// (8.1). Where an arc vanishes up to rounding, the other one makes the whole turn; so in (8.2).
-SignedParts left_straight_left(const Target& g) {
-  const Vec2 c = to_left(g);
-  const double u = c.norm();
-  if (c.isZero(kWordRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading));
+SignedParts left_straight_left(const Target& g, double most) {
+  const double u = g.left_distance();
+  if (u + std::abs(g.heading()) > most) return std::nullopt;
+  if (g.to_left().isZero(kWordRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading()));
   const double rounding = rounding_of_line(u, 1.0);
-  const auto first = ahead(angle_of(c), rounding);
-  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(g.heading));
-  const auto last = ahead(g.heading - *first, rounding);
-  return last == 0.0 ? parts_of(ahead(g.heading), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
+  const auto first = ahead(g.left_direction(), rounding);
+  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(g.heading()));
+  const auto last = ahead(g.heading() - *first, rounding);
+  return last == 0.0 ? parts_of(ahead(g.heading()), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
 }
 
 /// (8.2)
-SignedParts left_straight_right(const Target& g) {
-  const Vec2 c = to_right(g);
+SignedParts left_straight_right(const Target& g, double most) {
+  const Vec2& c = g.to_right();
   const double square = c.squaredNorm() - 4.0;
   if (square < -kWordRounding) return std::nullopt;
   const double u = std::sqrt(std::max(0.0, square));
+  if (u + std::abs(g.heading()) > most) return std::nullopt;
   const double rounding = rounding_of_line(u, kMostRounding);
   const auto first = ahead(angle_of(c) + std::atan2(2.0, u), rounding);
-  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(-g.heading));
-  const auto last = ahead(*first - g.heading, rounding);
-  return last == 0.0 ? parts_of(ahead(g.heading), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
+  if (!first || *first == 0.0) return parts_of(first, u, 0.0, 0.0, ahead(-g.heading()));
+  const auto last = ahead(*first - g.heading(), rounding);
+  return last == 0.0 ? parts_of(ahead(g.heading()), u, 0.0, 0.0, 0.0) : parts_of(first, u, 0.0, 0.0, last);
 }
 
 /// (8.3), (8.4): the last arc forwards or backwards.
-SignedParts left_right_left(const Target& g, bool last_ahead) {
-  const Vec2 c = to_left(g);
-  const double distance = c.norm();
-  if (distance > 4.0 * (1.0 + kWordRounding)) return std::nullopt;
-  const double u = -2.0 * std::asin(std::min(1.0, 0.25 * distance));
-  const auto first = ahead(angle_of(c) + 0.5 * u + kPi);
+SignedParts left_right_left(const Target& g, bool last_ahead, double most) {
+  if (g.left_distance() > 4.0 * (1.0 + kWordRounding)) return std::nullopt;
+  const double u = g.left_bend();
+  if (-u > most) return std::nullopt;
+  const auto first = ahead(g.left_direction() + 0.5 * u + kPi);
   if (!first) return std::nullopt;
-  const double last = g.heading - *first + u;
+  const double last = g.heading() - *first + u;
   return parts_of(first, u, 0.0, 0.0, last_ahead ? ahead(last) : back(last));
 }
 
@@ -104,73 +99,77 @@ std::array<double, 2> outer_arcs(double u, double v, const Vec2& c, double headi
 }
 
 /// (8.7)
-SignedParts left_right_cusp_left_right(const Target& g) {
-  const Vec2 c = to_right(g);
+SignedParts left_right_cusp_left_right(const Target& g, double most) {
+  const Vec2& c = g.to_right();
   const double rho = 0.25 * (2.0 + c.norm());
   if (rho > 1.0 + kWordRounding) return std::nullopt;
   const double u = std::acos(std::min(1.0, rho));
-  const auto [first, last] = outer_arcs(u, -u, c, g.heading);
+  if (2.0 * u > most) return std::nullopt;
+  const auto [first, last] = outer_arcs(u, -u, c, g.heading());
   return parts_of(ahead(first), u, -u, 0.0, back(last));
 }
 
 /// (8.8)
-SignedParts left_cusp_right_left_cusp_right(const Target& g) {
-  const Vec2 c = to_right(g);
+SignedParts left_cusp_right_left_cusp_right(const Target& g, double most) {
+  const Vec2& c = g.to_right();
   const double rho = (20.0 - c.squaredNorm()) / 16.0;
   if (rho < -kWordRounding || rho > 1.0 + kWordRounding) return std::nullopt;
   const double u = -std::acos(std::clamp(rho, 0.0, 1.0));
-  const auto [first, last] = outer_arcs(u, u, c, g.heading);
+  if (-2.0 * u > most) return std::nullopt;
+  const auto [first, last] = outer_arcs(u, u, c, g.heading());
   return parts_of(ahead(first), u, u, 0.0, ahead(last));
 }
 
 /// (8.9), the last arc to the left
-SignedParts left_right_straight_left(const Target& g) {
-  const Vec2 c = to_left(g);
-  const double square = c.squaredNorm() - 4.0;
+SignedParts left_right_straight_left(const Target& g, double most) {
+  const double square = g.to_left().squaredNorm() - 4.0;
   if (square < -kWordRounding) return std::nullopt;
   const double r = std::sqrt(std::max(0.0, square));
-  if (2.0 - r > kWordRounding) return std::nullopt;
-  const auto first = ahead(angle_of(c) + std::atan2(r, -2.0));
-  return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - r), 0.0, back(g.heading - kQuarter - *first))
+  if (2.0 - r > kWordRounding || kQuarter + r - 2.0 > most) return std::nullopt;
+  const auto first = ahead(g.left_direction() + std::atan2(r, -2.0));
+  return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - r), 0.0, back(g.heading() - kQuarter - *first))
                : std::nullopt;
 }
 
 /// (8.10), the last arc to the right
-SignedParts left_right_straight_right(const Target& g) {
-  const Vec2 c = to_right(g);
+SignedParts left_right_straight_right(const Target& g, double most) {
+  const Vec2& c = g.to_right();
   const double rho = c.norm();
-  if (rho < 2.0 - kWordRounding) return std::nullopt;
+  if (rho < 2.0 - kWordRounding || kQuarter + rho - 2.0 > most) return std::nullopt;
   const auto first = ahead(std::atan2(c.x(), -c.y()));
-  return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - rho), 0.0, back(*first + kQuarter - g.heading))
+  return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - rho), 0.0, back(*first + kQuarter - g.heading()))
                : std::nullopt;
 }
 
 /// (8.11)
-SignedParts left_right_straight_left_right(const Target& g) {
-  const Vec2 c = to_right(g);
+SignedParts left_right_straight_left_right(const Target& g, double most) {
+  const Vec2& c = g.to_right();
   const double square = c.squaredNorm() - 4.0;
   if (square < 0.0) return std::nullopt;
   const double u = 4.0 - std::sqrt(square);
-  if (u > kWordRounding) return std::nullopt;
+  if (u > kWordRounding || kPi - u > most) return std::nullopt;
   const auto first = ahead(std::atan2((4.0 - u) * c.x() - 2.0 * c.y(), -2.0 * c.x() + (u - 4.0) * c.y()));
-  return first ? parts_of(first, -kQuarter, std::min(0.0, u), -kQuarter, ahead(*first - g.heading)) : std::nullopt;
+  return first ? parts_of(first, -kQuarter, std::min(0.0, u), -kQuarter, ahead(*first - g.heading())) : std::nullopt;
 }
 
 /// A word to the left and forwards at its beginning; its last letter is that of the last part.
 struct Form {
-  SignedParts (*solve)(const Target&);
+  /// Nothing too where the word is surely longer than the second argument, in radii.
+  SignedParts (*solve)(const Target&, double most);
   std::string_view letters;
 };
-constexpr std::array<Form, 6> kSymmetric = {{{left_straight_left, "LSL"},
-                                             {left_straight_right, "LSR"},
-                                             {[](const Target& g) { return left_right_left(g, true); }, "LRL"},
-                                             {left_right_cusp_left_right, "LRLR"},
-                                             {left_cusp_right_left_cusp_right, "LRLR"},
-                                             {left_right_straight_left_right, "LRSLR"}}};
+constexpr std::array<Form, 6> kSymmetric = {
+    {{left_straight_left, "LSL"},
+     {left_straight_right, "LSR"},
+     {[](const Target& g, double most) { return left_right_left(g, true, most); }, "LRL"},
+     {left_right_cusp_left_right, "LRLR"},
+     {left_cusp_right_left_cusp_right, "LRLR"},
+     {left_right_straight_left_right, "LRSLR"}}};
 /// The forms that differ from themselves when read from the end.
-constexpr std::array<Form, 3> kDirected = {{{[](const Target& g) { return left_right_left(g, false); }, "LRL"},
-                                            {left_right_straight_left, "LRSL"},
-                                            {left_right_straight_right, "LRSR"}}};
+constexpr std::array<Form, 3> kDirected = {
+    {{[](const Target& g, double most) { return left_right_left(g, false, most); }, "LRL"},
+     {left_right_straight_left, "LRSL"},
+     {left_right_straight_right, "LRSR"}}};
 static_assert(4 * kSymmetric.size() + 8 * kDirected.size() == kReedsSheppWords);
 
 /// A word is a form, driven the other way (flip), in a mirror, or from its last letter to its first.
@@ -185,24 +184,60 @@ Word word_of(std::size_t index) {
   return {form, (code & 1) != 0, (code & 2) != 0, (code & 4) != 0};
 }
 
-struct Letter {
-  char kind;
-  double length;  // signed, in radii
-};
-struct Solution {
-  std::array<Letter, 5> letters;
-  std::size_t count;
-};
+// Rounding of lengths, in radii: what is longer than another length by less than this may also be shorter.
+constexpr double kLengthSlack = 1e-8;
 
-std::optional<Solution> solve(std::size_t index, Target g) {
-  const Word word = word_of(index);
-  if (word.from_end) {
-    const double c = std::cos(g.heading), s = std::sin(g.heading);
-    g = {g.x * c + g.y * s, g.x * s - g.y * c, g.heading};
+/// The number of a view of the goal: that of a word.
+std::size_t view_of(const Word& word) {
+  return (word.flip ? 1u : 0u) + (word.mirror ? 2u : 0u) + (word.from_end ? 4u : 0u);
+}
+
+Vec2 seen_from(const Pose& start, const Pose& goal, double radius) {
+  if (!(radius > 0.0) || !std::isfinite(radius)) {
+    throw std::invalid_argument("reeds_shepp: radius must be finite and > 0");
   }
-  if (word.flip) g = {-g.x, g.y, -g.heading};
-  if (word.mirror) g = {g.x, -g.y, -g.heading};
-  const SignedParts parts = word.form.solve(g);
+  const Vec2 d = (goal.position() - start.position()) / radius;
+  const Vec2 axis = direction_of(start.heading);
+  return {axis.dot(d), cross(axis, d)};
+}
+
+}  // namespace
+
+ReedsSheppTarget::ReedsSheppTarget(const Vec2& goal, double heading, double sine, double cosine)
+    : heading_(heading),
+      to_left_(goal.x() - sine, goal.y() - 1.0 + cosine),
+      to_right_(goal.x() + sine, goal.y() - 1.0 - cosine) {}
+
+double ReedsSheppTarget::left_distance() const {
+  if (left_distance_ < 0.0) left_distance_ = to_left_.norm();
+  return left_distance_;
+}
+
+double ReedsSheppTarget::left_direction() const {
+  if (!left_direction_) left_direction_ = angle_of(to_left_);
+  return *left_direction_;
+}
+
+double ReedsSheppTarget::left_bend() const {
+  if (!left_bend_) left_bend_ = -2.0 * std::asin(std::min(1.0, 0.25 * left_distance()));
+  return *left_bend_;
+}
+
+ReedsSheppWords::ReedsSheppWords(const Pose& start, const Pose& goal, double radius) : start_(start), radius_(radius) {
+  const Vec2 d = seen_from(start, goal, radius);
+  const double heading = wrap_signed(goal.heading - start.heading);
+  const double s = std::sin(heading), c = std::cos(heading);
+  const Vec2 from_end{d.x() * c + d.y() * s, d.x() * s - d.y() * c};
+  for (std::size_t view = 0; view < views_.size(); ++view) {
+    const Vec2& p = (view & 4) != 0 ? from_end : d;
+    const bool flip = (view & 1) != 0, mirror = (view & 2) != 0, turned = flip != mirror;
+    views_[view] = {{flip ? -p.x() : p.x(), mirror ? -p.y() : p.y()}, turned ? -heading : heading, turned ? -s : s, c};
+  }
+}
+
+std::optional<ReedsSheppWords::Solution> ReedsSheppWords::solve(std::size_t index, double most) const {
+  const Word word = word_of(index);
+  const SignedParts parts = word.form.solve(views_[view_of(word)], most / radius_ + kLengthSlack);
   if (!parts) return std::nullopt;
   Solution solution{{}, word.form.letters.size()};
   for (std::size_t i = 0; i < solution.count; ++i) {
@@ -214,47 +249,42 @@ std::optional<Solution> solve(std::size_t index, Target g) {
   return solution;
 }
 
-Target target_of(const Pose& start, const Pose& goal, double radius) {
-  if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw std::invalid_argument("reeds_shepp: radius must be finite and > 0");
-  }
-  const Vec2 d = (goal.position() - start.position()) / radius;
-  const Vec2 axis = direction_of(start.heading);
-  return {axis.dot(d), cross(axis, d), wrap_signed(goal.heading - start.heading)};
-}
-
-double length_of(const std::optional<Solution>& solution, double radius) {
-  if (!solution) return std::numeric_limits<double>::infinity();
+double ReedsSheppWords::length(std::size_t word, double most) const {
+  const auto solution = solve(word, most);
+  if (!solution) return kInfinity;
   double length = 0.0;
   for (std::size_t i = 0; i < solution->count; ++i) length += std::abs(solution->letters[i].length);
-  return radius * length;
+  return radius_ * length;
 }
 
-}  // namespace
-
-std::optional<Path> reeds_shepp_path(std::size_t word, const Pose& start, const Pose& goal, double radius) {
-  const auto solution = solve(word, target_of(start, goal, radius));
+std::optional<Path> ReedsSheppWords::path(std::size_t word) const {
+  const auto solution = solve(word, kInfinity);
   if (!solution) return std::nullopt;
   Path path;
+  path.reserve(solution->count);
   for (std::size_t i = 0; i < solution->count; ++i) {
     const auto [kind, length] = solution->letters[i];
     if (std::abs(length) <= kWordRounding) continue;
-    const double curvature = kind == 'S' ? 0.0 : (kind == 'L' ? 1.0 : -1.0) / radius;
-    path.push_back({path.empty() ? start : path.back().end(), radius * std::abs(length), curvature,
+    const double curvature = kind == 'S' ? 0.0 : (kind == 'L' ? 1.0 : -1.0) / radius_;
+    path.push_back({path.empty() ? start_ : path.back().end(), radius_ * std::abs(length), curvature,
                     length > 0.0 ? Gear::kForward : Gear::kReverse});
   }
   return path;
 }
 
+std::optional<Path> reeds_shepp_path(std::size_t word, const Pose& start, const Pose& goal, double radius) {
+  return ReedsSheppWords(start, goal, radius).path(word);
+}
+
 double reeds_shepp_length(std::size_t word, const Pose& start, const Pose& goal, double radius) {
-  return length_of(solve(word, target_of(start, goal, radius)), radius);
+  return ReedsSheppWords(start, goal, radius).length(word);
 }
 
 double reeds_shepp_distance(const Pose& start, const Pose& goal, double radius) {
-  const Target target = target_of(start, goal, radius);
-  double shortest = std::numeric_limits<double>::infinity();
+  const ReedsSheppWords words(start, goal, radius);
+  double shortest = kInfinity;
   for (std::size_t word = 0; word < kReedsSheppWords; ++word)
-    shortest = std::min(shortest, length_of(solve(word, target), radius));
+    shortest = std::min(shortest, words.length(word, shortest));
   return shortest;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/collision/motion_free.h"
 #include "core/collision/path_cost.h"
@@ -91,17 +92,20 @@ class GearSearch {
     const Pose& root = roots_[other_end(at)];
     const Pose& from = at == kStartEnd ? pose : root;
     const Pose& to = at == kStartEnd ? root : pose;
-    std::array<Shot, kReedsSheppWords> shots{};
-    for (std::size_t word = 0; word < kReedsSheppWords; ++word)
-      shots[word] = {trees_[at][node].cost + reeds_shepp_length(word, from, to, radii_.larger()) / vehicle_.top_speed(),
-                     word};
-    std::sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) {
+    const ReedsSheppWords words(from, to, radii_.larger());
+    const double cost = trees_[at][node].cost, top_speed = vehicle_.top_speed();
+    shots_.clear();
+    for (std::size_t word = 0; word < kReedsSheppWords; ++word) {
+      const double estimate = cost + words.length(word, (result_.cost - cost) * top_speed) / top_speed;
+      if (estimate < result_.cost) shots_.push_back({estimate, word});
+    }
+    std::sort(shots_.begin(), shots_.end(), [](const Shot& a, const Shot& b) {
       return a.estimate != b.estimate ? a.estimate < b.estimate : a.word < b.word;
     });
     std::size_t tried = 0;
-    for (const auto& [estimate, word] : shots) {
+    for (const auto& [estimate, word] : shots_) {
       if (estimate >= result_.cost) return;
-      const auto middle = reeds_shepp_path(word, from, to, radii_.larger());
+      const auto middle = words.path(word);
       if (!middle->empty() && !trees_[at].has_room(at == kStartEnd ? middle->front() : middle->back().reversed()))
         continue;
       if (++tried > kWordsTried) return;
@@ -138,6 +142,7 @@ class GearSearch {
   std::array<Pose, 2> roots_;
   std::array<double, 2> cells_{kCells, kCells};
   std::array<GearTree, 2> trees_;
+  std::vector<Shot> shots_;  // memory of join
 };
 
 }  // namespace

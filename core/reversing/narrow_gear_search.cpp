@@ -127,16 +127,18 @@ class NarrowGearSearch {
     const Pose& from = sides[kStartEnd].tree[at == kStartEnd ? node : other].pose;
     const Pose& to = sides[kGoalEnd].tree[at == kStartEnd ? other : node].pose;
     const double ends = sides[at].tree[node].cost + sides[other_end(at)].tree[other].cost;
+    const GearWords gear_words(from, to, radii_);
+    const double longest = (result_.cost - ends) * map_.vehicle.top_speed();
     words_.clear();
     for (std::size_t word = 0; word < kGearWords; ++word) {
-      const double length = gear_word_length(word, from, to, radii_);
+      const double length = gear_words.length(word, longest);
       if (std::isfinite(length) && ends + length / map_.vehicle.top_speed() < result_.cost)
         words_.emplace_back(length, word);
     }
     std::sort(words_.begin(), words_.end());
     std::size_t tried = 0;
     for (const auto& [length, word] : words_) {
-      const Path between = *gear_word_path(word, from, to, radii_);
+      const Path between = *gear_words.path(word);
       if (between.empty()) continue;
       if (!sides[at].tree.has_room(at == kStartEnd ? between.front() : between.back().reversed())) continue;
       if (++tried > kJoiningWords) return;

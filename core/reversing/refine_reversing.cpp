@@ -208,10 +208,10 @@ class ReversingRefiner {
                           (to.clearance - from.clearance);
     std::vector<Word> words;
     for (const double turn : move.radii) {
-      const SideRadii radii = SideRadii(vehicle_).times(turn);
+      const GearWords between(from.pose, to.pose, SideRadii(vehicle_).times(turn));
       for (std::size_t word = 0; word < kGearWords; ++word) {
-        const double fastest = gear_word_length(word, from.pose, to.pose, radii) / vehicle_.top_speed();
-        if (fastest < budget) words.push_back({fastest, *gear_word_path(word, from.pose, to.pose, radii)});
+        const double fastest = between.length(word, budget * vehicle_.top_speed()) / vehicle_.top_speed();
+        if (fastest < budget) words.push_back({fastest, *between.path(word)});
       }
       if (from.cusps == to.cusps) break;
     }

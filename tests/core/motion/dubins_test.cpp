@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 
 namespace arcway::internal {
 namespace {
@@ -297,6 +298,17 @@ TEST(Dubins, StartIsGoal) {
 TEST(Dubins, RefusesRadiiThatAreNone) {
   for (const double radius : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW((void)dubins_path(DubinsWord::kLSL, {}, {}, radius), std::invalid_argument);
+  }
+}
+
+TEST(Dubins, LengthsAreThoseOfThePaths) {
+  const SideRadii radii(1.0, 1.5);
+  for (int i = 0; i < 300; ++i) {
+    const Pose start{0.1 * i, 1.0, 0.05 * i}, goal{3.0 * std::sin(i), 4.0 * std::cos(2.0 * i), 1.7 * i};
+    for (const DubinsWord word : kDubinsWords) {
+      const auto path = dubins_word(word, start, goal, radii);
+      EXPECT_EQ(dubins_length(word, start, goal, radii), path ? length_of(path->segments()) : kInfinity);
+    }
   }
 }
 

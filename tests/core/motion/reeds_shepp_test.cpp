@@ -103,6 +103,31 @@ TEST(ReedsShepp, FindsEveryDriveOfEveryWord) {
   EXPECT_EQ(letters_of_index.size(), kReedsSheppWords);  // one index a word
 }
 
+// Words longer than asked for may be left out, no other ones, and lengths keep their bits.
+TEST(ReedsShepp, FindsWordsUpToALength) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-8.0, 8.0), angle(-10.0, 10.0), size(0.5, 4.0);
+  std::size_t longer = 0, left_out = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const Pose start{100.0 + place(random), place(random), angle(random)};
+    const Pose goal{100.0 + place(random), place(random), angle(random)};
+    const double radius = size(random);
+    const ReedsSheppWords words(start, goal, radius);
+    const double shortest = reeds_shepp_distance(start, goal, radius);
+    for (std::size_t word = 0; word < kReedsSheppWords; ++word) {
+      const double length = reeds_shepp_length(word, start, goal, radius);
+      EXPECT_EQ(words.length(word), length);
+      EXPECT_EQ(words.length(word, length), length);
+      if (!(length > shortest) || std::isinf(length)) continue;
+      ++longer;
+      const double found = words.length(word, shortest);
+      EXPECT_TRUE(found == length || std::isinf(found));
+      left_out += std::isinf(found) ? 1u : 0u;
+    }
+  }
+  EXPECT_GT(10 * left_out, longer);
+}
+
 TEST(ReedsShepp, EveryWordEndsAtTheGoal) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> place(-8.0, 8.0), angle(-10.0, 10.0), size(0.5, 4.0);
