@@ -46,9 +46,11 @@ void add_corner_contacts(const Vec2& corner, const Vec2& p, const Vec2& q, Criti
   const double rest = corner.squaredNorm() - foot.squaredNorm();
   if (rest < -kCriticalSlack * corner.squaredNorm()) return;
   const double half = std::sqrt(std::max(rest, 0.0) / dd);
+  const auto is_on_edge = [](double t) { return t >= -kCriticalSlack && t <= 1.0 + kCriticalSlack; };
+  if (!is_on_edge(along - half) && !is_on_edge(along + half)) return;
   const double corner_angle = std::atan2(corner.y(), corner.x());
   for (const double t : {along - half, along + half}) {
-    if (t < -kCriticalSlack || t > 1.0 + kCriticalSlack) continue;
+    if (!is_on_edge(t)) continue;
     const Vec2 x = p + t * d;
     angles.add(std::atan2(x.y(), x.x()) - corner_angle);
   }
