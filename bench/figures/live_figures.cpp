@@ -85,7 +85,7 @@ Recording record(const std::function<Backend(const World&)>& make_backend) {
     moment.obstacles.assign(obstacles.begin(), obstacles.end());
     recording.moments.push_back(std::move(moment));
     recording.planned += cycle.next.motion == NextMotion::kPlanned;
-    recording.kept += cycle.next.motion == NextMotion::kKept;
+    recording.kept += cycle.next.motion == NextMotion::kKept || cycle.next.motion == NextMotion::kRepaired;
     recording.braking += cycle.next.motion == NextMotion::kBraking;
   }
   return recording;

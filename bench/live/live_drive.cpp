@@ -13,7 +13,8 @@ constexpr double kPatience = 10.0;  // after standing so long the vehicle goes f
 }  // namespace
 
 bool LiveCycle::leads_to_goal() const {
-  return next.motion == NextMotion::kPlanned || next.motion == NextMotion::kKept;
+  return next.motion == NextMotion::kPlanned || next.motion == NextMotion::kKept ||
+         next.motion == NextMotion::kRepaired;
 }
 
 LiveDrive::LiveDrive(LivePlanner& planner, Trajectory first, std::vector<Pose> goals, const LiveSetting& setting)
@@ -34,10 +35,11 @@ LiveCycle LiveDrive::next_cycle() {
   if (!change.removed.empty() || !change.added.empty()) planner_.change(change);
   cycle.change_seconds = clock.seconds();
   const double left = std::max(0.0, setting_.within - cycle.change_seconds);
-  cycle.next = planner_.next(driven_, time_, {.goal = goal(), .limits = {.time = left}});
+  cycle.next = planner_.next(driven_, time_, {.goal = goal(), .limits = {.time = left}, .given_up = given_up_});
   cycle.plan_seconds = clock.seconds() - cycle.change_seconds;
   obstacles_.take_key(planner_.world());
   leads_to_goal_ = cycle.leads_to_goal();
+  given_up_ = cycle.next.given_up;
   if (!cycle.next.segments.empty()) {
     driven_ = Trajectory(cycle.next.segments, driven_.vehicle());
     time_ = 0.0;

@@ -52,6 +52,7 @@ class LiveDrive {
   LiveSetting setting_;
   WalkingObstacles obstacles_;
   Trajectory driven_;
+  std::vector<TimedSegment> given_up_;  // see Replan::given_up
   double time_ = 0.0;      // of the motion that is driven [s]
   double standing_ = 0.0;  // for how long the vehicle has stood [s]
   std::size_t goal_ = 0, goals_reached_ = 0;

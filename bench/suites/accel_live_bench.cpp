@@ -101,7 +101,7 @@ bool agree(const Route& route) {
 // What came of the cycles of a drive.
 struct Record {
   std::vector<double> changes, cycles;  // processor time [s]
-  std::size_t with_motion = 0, to_goal = 0, braking = 0;
+  std::size_t with_motion = 0, to_goal = 0, repaired = 0, braking = 0;
   std::int64_t resident_early = 0, resident = 0;  // after a tenth of the cycles, and at the end
 
   void add(const LiveCycle& cycle) {
@@ -109,6 +109,7 @@ struct Record {
     cycles.push_back(cycle.seconds());
     with_motion += cycle.next.motion != NextMotion::kNoMotion;
     braking += cycle.next.motion == NextMotion::kBraking;
+    repaired += cycle.next.motion == NextMotion::kRepaired;
     to_goal += cycle.leads_to_goal();
   }
   void report(benchmark::State& state) const {
@@ -121,6 +122,7 @@ struct Record {
     state.counters["cycle_seconds_worst"] = quantile(cycles, 1.0);
     state.counters["motion_share"] = share(with_motion);
     state.counters["goal_share"] = share(to_goal);
+    state.counters["repaired_share"] = share(repaired);
     state.counters["stop_share"] = share(braking);
     state.counters["resident_bytes_early"] = static_cast<double>(resident_early);
     state.counters["resident_bytes"] = static_cast<double>(resident);

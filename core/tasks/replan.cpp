@@ -1,15 +1,18 @@
 #include "arcway/replan.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/motion/speed_profile.h"
+#include "core/base/infinity.h"
+#include "core/base/stopwatch.h"
+#include "core/tasks/motion_parts.h"
+#include "core/tasks/path_repair.h"
 #include "core/tasks/plan_cost.h"
 #include "core/tasks/replan_by.h"
 
@@ -18,50 +21,8 @@ namespace arcway {
 using namespace internal;
 namespace {
 
-// A segment that lasts no longer is over [s]: its length and speeds are no more than rounding. The vehicle moves by
-// less than a micrometer in that time.
-constexpr double kMoment = 1e-9;
-
-// What is left of a segment that is driven. Its numbers are rounded one by one; speed and time are moved to where the
-// vehicle can drive the length so, which counts shortly before the end.
-TimedSegment rest_of(TimedSegment timed, double driven, double time_left, double speed, const Vehicle& vehicle) {
-  PathSegment& segment = timed.segment;
-  segment.start = segment.at(std::clamp(driven, 0.0, segment.length));
-  segment.length = std::max(0.0, segment.length - driven);
-  const double a = vehicle.max_acceleration(), out = timed.speed_out, change = 2.0 * a * segment.length;
-  timed.speed_in = std::clamp(speed, std::sqrt(std::max(0.0, out * out - change)), std::sqrt(out * out + change));
-  const auto time_at = [&](double top) { return relaxed_segment_time(segment.length, timed.speed_in, top, out, a); };
-  const double top = std::max(timed.speed_in, out);
-  const double slowest = top > 0.0 ? time_at(top) : time_left;
-  timed.duration = std::max(std::min(time_left, slowest), time_at(speed_limit(segment, vehicle)));
-  return timed;
-}
-
-// What is left of a motion from a moment on.
-std::vector<TimedSegment> rest_of(const Trajectory& driven, const TrajectoryState& now) {
-  std::vector<TimedSegment> rest;
-  const std::span<const TimedSegment> segments = driven.segments();
-  double begun = 0.0, before = 0.0;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const TimedSegment& timed = segments[i];
-    const double ended = begun + timed.duration, driven_here = now.distance - before;
-    begun = ended;
-    before += timed.segment.length;
-    if (i < now.segment) continue;
-    if (i > now.segment) {
-      rest.push_back(timed);
-    } else if (ended - now.time > kMoment) {
-      rest.push_back(rest_of(timed, driven_here, ended - now.time, now.speed, driven.vehicle()));
-    }
-  }
-  return rest;
-}
-
-double time_of(std::span<const TimedSegment> segments) {
-  double time = 0.0;
-  for (const TimedSegment& timed : segments) time += timed.duration;
-  return time;
-}
+// Share of the time for a repair at most; the rest is left for a plan.
+constexpr double kRepairShare = 0.5;
 
 class Replanner {
  public:
@@ -73,47 +34,97 @@ class Replanner {
         rest_(rest_of(driven, now_)) {}
 
   Replan run() {
-    const auto begun = std::chrono::steady_clock::now();
-    const bool is_rest_free = queries_.is_free(path_of(rest_)), is_kept = is_rest_free && leads_to_goal();
+    const Stopwatch watch;
+    const bool is_rest_free = queries_.is_free(path_of(rest_)), is_kept = is_rest_free && leads_to_goal(rest_);
     Replan next;
+    if (!is_kept) {
+      give_up();
+      repair(options_.limits.time - watch.seconds());
+    }
     PlanLimits left = options_.limits;
-    left.time -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    left.time -= watch.seconds();
     if (left.time > 0.0 && !left.stop.stop_requested()) next.plan = queries_.plan(request(), left);
-    const double rest_time = time_of(rest_);
-    const auto rest_cost = [&] {
-      return rest_time + (queries_.clearance_cost ? queries_.clearance_cost(path_of(rest_)) : 0.0);
-    };
-    if (next.plan.solved() && !(is_kept && rest_cost() <= next.plan.cost())) {
-      next.motion = NextMotion::kPlanned;
-      next.segments = next.plan.segments;
-      next.travel_time = next.plan.travel_time;
-    } else if (is_kept || (is_rest_free && last_.speed_out == 0.0)) {
-      next.motion = is_kept ? NextMotion::kKept : NextMotion::kBraking;
-      if (!is_kept) next.reason = reason_of(next.plan, "the motion before leads elsewhere");
-      next.segments = std::move(rest_);
-      next.travel_time = rest_time;
+    const double other_cost = is_kept ? cost_of(rest_) : repaired_ ? cost_of(*repaired_) : kInfinity;
+    if (next.plan.solved() && !(other_cost <= next.plan.cost())) {
+      take(NextMotion::kPlanned, next.plan.segments, next);
+    } else if (is_kept) {
+      take(NextMotion::kKept, std::move(rest_), next);
+    } else if (repaired_) {
+      take(NextMotion::kRepaired, *std::move(repaired_), next);
     } else {
-      next.reason = reason_of(next.plan,
-                              is_rest_free ? "the motion before leads elsewhere" : "the rest of the motion is blocked");
-      brake(next);
+      stop(is_rest_free, next);
+      next.given_up = std::move(given_up_);
     }
     return next;
   }
 
  private:
-  [[nodiscard]] bool leads_to_goal() const {
-    const Pose end = last_.segment.end();
-    return !options_.goal || (options_.goal->position() == end.position() && options_.goal->heading == end.heading);
+  [[nodiscard]] Pose goal() const { return options_.goal.value_or(last_.segment.end()); }
+  [[nodiscard]] double goal_speed() const { return options_.goal ? 0.0 : last_.speed_out; }
+  [[nodiscard]] bool leads_to_goal(std::span<const TimedSegment> motion) const {
+    if (motion.empty()) return are_same_pose(now_.pose, goal());
+    return are_same_pose(motion.back().segment.end(), goal()) && motion.back().speed_out == goal_speed();
   }
   [[nodiscard]] PlanRequest request() const {
     return {.start = now_.pose,
-            .goal = options_.goal.value_or(last_.segment.end()),
+            .goal = goal(),
             .reverse = options_.reverse,
             .start_speed = now_.signed_speed(),
             .goal_speed = options_.goal ? 0.0 : sign_of(last_.segment.gear) * last_.speed_out};
   }
+  [[nodiscard]] double cost_of(std::span<const TimedSegment> motion) const {
+    return time_of(motion) + (queries_.clearance_cost ? queries_.clearance_cost(path_of(motion)) : 0.0);
+  }
   static std::string reason_of(const PlanResult& plan, const std::string& otherwise) {
     return plan.reason.empty() ? otherwise + ", and there was no time for a plan" : plan.reason;
+  }
+  static void take(NextMotion motion, std::vector<TimedSegment> segments, Replan& next) {
+    next.motion = motion;
+    next.segments = std::move(segments);
+    next.travel_time = time_of(next.segments);
+  }
+
+  // Finds the motion to the goal that is given up unless it is repaired: the rest, or what was given up before. A
+  // vehicle that braked along the latter is on it still, and somewhere ahead of its start.
+  void give_up() {
+    if (leads_to_goal(rest_)) {
+      given_up_ = rest_;
+      return;
+    }
+    if (options_.given_up.empty() || !leads_to_goal(options_.given_up)) return;
+    const Trajectory before(options_.given_up, queries_.vehicle);
+    given_up_.assign(options_.given_up.begin(), options_.given_up.end());
+    if (now_.distance > before.length()) return;
+    const TrajectoryState there = before.at_distance(now_.distance);
+    if (!are_same_pose(there.pose, now_.pose)) return;
+    std::vector<TimedSegment> rest = rest_of(before, there);
+    if (!rest.empty() && now_.speed <= there.speed) given_up_ = begun_at(now_.speed, std::move(rest), queries_.vehicle);
+  }
+
+  // @param time  that is left [s].
+  void repair(double time) {
+    if (given_up_.empty() || !std::isfinite(time) || !(time > 0.0)) return;
+    const TimedSegment& first = given_up_.front();
+    const bool begins_here = are_same_pose(first.segment.start, now_.pose) && first.speed_in == now_.speed;
+    if (begins_here && queries_.is_free(path_of(given_up_))) {
+      repaired_ = given_up_;
+      return;
+    }
+    const Trajectory motion(given_up_, queries_.vehicle);
+    PlanLimits limits = options_.limits;
+    limits.time = kRepairShare * time;
+    repaired_ = PathRepair(queries_, motion, now_, options_.reverse).find(limits);
+  }
+
+  void stop(bool is_rest_free, Replan& next) {
+    if (is_rest_free && last_.speed_out == 0.0) {
+      next.reason = reason_of(next.plan, "the motion before leads elsewhere");
+      take(NextMotion::kBraking, std::move(rest_), next);
+      return;
+    }
+    next.reason =
+        reason_of(next.plan, is_rest_free ? "the motion before leads elsewhere" : "the rest of the motion is blocked");
+    brake(next);
   }
 
   void brake(Replan& next) const {
@@ -155,6 +166,8 @@ class Replanner {
   const ReplanOptions& options_;
   TrajectoryState now_;
   std::vector<TimedSegment> rest_;
+  std::vector<TimedSegment> given_up_;
+  std::optional<std::vector<TimedSegment>> repaired_;
 };
 
 }  // namespace
@@ -165,6 +178,8 @@ const char* name_of(NextMotion motion) {
       return "kept";
     case NextMotion::kPlanned:
       return "planned";
+    case NextMotion::kRepaired:
+      return "repaired";
     case NextMotion::kBraking:
       return "braking";
     case NextMotion::kNoMotion:
