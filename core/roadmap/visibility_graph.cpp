@@ -13,6 +13,21 @@ using namespace internal;
 
 namespace {
 
+// Lines of sight of one question. Each may try every edge of the map, some 1 us per 1,000 edges: the clock is asked
+// between questions.
+constexpr std::size_t kSightsAtOnce = 16;
+
+// Asks about lines of sight, as long as there is time.
+// @throws Canceled
+void ask_while_time(const VisibilityQuery& visibility, std::span<const LineSegment> segments,
+                    std::span<std::uint8_t> visible, const Executor& executor) {
+  for (std::size_t first = 0; first < segments.size(); first += kSightsAtOnce) {
+    end_if_over(executor);
+    const std::size_t count = std::min(kSightsAtOnce, segments.size() - first);
+    visibility.visible(segments.subspan(first, count), visible.subspan(first, count));
+  }
+}
+
 // Rows of the pairs u < v of `vertices` that pass `candidate` and see each other.
 template <class Candidate>
 Rows visible_pairs(const World& world, std::span<const VertexId> vertices, const VisibilityQuery& visibility,
@@ -33,7 +48,7 @@ Rows visible_pairs(const World& world, std::span<const VertexId> vertices, const
         targets.push_back(v);
       }
       visible.resize(segments.size());
-      visibility.visible(segments, visible);
+      ask_while_time(visibility, segments, visible, executor);
       for (std::size_t k = 0; k < targets.size(); ++k)
         if (visible[k]) rows[u].push_back(targets[k]);
     }

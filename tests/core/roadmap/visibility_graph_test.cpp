@@ -10,9 +10,12 @@
 #include <limits>
 #include <ranges>
 #include <set>
+#include <span>
+#include <stop_token>
 #include <utility>
 
 #include "arcway/datasets/clutter.h"
+#include "arcway/executor.h"
 #include "arcway/query_set.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/random_inputs.h"
@@ -261,6 +264,31 @@ TEST(FullVisibilityGraph, HoldsTheReducedOneAndMore) {
   const auto reduced = edges_of(build_reduced_visibility_graph(world, *queries.visibility));
   EXPECT_TRUE(std::includes(full.begin(), full.end(), reduced.begin(), reduced.end()));
   EXPECT_GT(full.size(), reduced.size());
+}
+
+// Each line of sight may try every edge of the map: a row of them is too long to wait for.
+class StoppingSights final : public VisibilityQuery {
+ public:
+  [[nodiscard]] const std::stop_source& stop() const { return stop_; }
+  [[nodiscard]] std::size_t asked() const { return asked_; }
+
+ private:
+  void do_visible(std::span<const LineSegment> segments, std::span<std::uint8_t> visible) const override {
+    asked_ += segments.size();
+    std::ranges::fill(visible, std::uint8_t{1});
+    stop_.request_stop();
+  }
+  mutable std::stop_source stop_;
+  mutable std::size_t asked_ = 0;
+};
+
+TEST(VisibilityGraph, EndsWithinARow) {
+  const World world = random_world({.obstacles = 100, .seed = 2});
+  const StoppingSights sights;
+  const SerialExecutor serial;
+  const StoppableExecutor executor(serial, sights.stop().get_token());
+  EXPECT_THROW(build_full_visibility_graph(world, sights, executor), Canceled);
+  EXPECT_LT(sights.asked(), world.vertices().size() / 4);
 }
 
 TEST(VisibilityGraph, HasItsEdgesAsARange) {
