@@ -15,6 +15,7 @@
 #include "datasets/formats/text_scanner.h"
 #include "datasets/formats/vector_map.h"
 #include "datasets/io/number_text.h"
+#include "datasets/io/shortened.h"
 
 namespace arcway::internal {
 namespace {
@@ -50,7 +51,7 @@ class SvgReader {
     const pugi::xml_node root = document.document_element();
     if (local_name(root) != "svg")
       map_.fail("line " + std::to_string(line_of(root.offset_debug())),
-                "expected <svg>, found <" + std::string(root.name()) + ">; " + other_kind(local_name(root)));
+                "expected <svg>, found <" + shortened(root.name()) + ">; " + other_kind(local_name(root)));
     style_.emplace(root);
     if (view_is_bounds_) read_bounds(root);
     if (style_->display(root) == detail::SvgStyle::Display::kNone) {
@@ -88,7 +89,7 @@ class SvgReader {
     return name;
   }
   [[nodiscard]] std::string place_of(const pugi::xml_node& node) const {
-    std::string place = "line " + std::to_string(line_of(node.offset_debug())) + ", " + std::string(local_name(node));
+    std::string place = "line " + std::to_string(line_of(node.offset_debug())) + ", " + shortened(local_name(node));
     if (const pugi::xml_attribute id = node.attribute("id")) place += " " + detail::quoted(id.value());
     return place;
   }
@@ -124,7 +125,7 @@ class SvgReader {
       } else if (name == "path") {
         read_path(node, transform.after(transform_of(node)));
       } else {
-        map_.fail(place_of(node), "element <" + std::string(name) + "> is not supported, only paths in groups are");
+        map_.fail(place_of(node), "element <" + shortened(name) + "> is not supported, only paths in groups are");
       }
     }
   }

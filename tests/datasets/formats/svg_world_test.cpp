@@ -192,6 +192,8 @@ TEST(SvgWorld, OthersAreRejectedByName) {
       << svg_error("<svg>\n<g>\n</svg>");
   EXPECT_NE(svg_error("<html/>").find("expected <svg>"), std::string::npos);
   EXPECT_NE(svg_error("<kml/>").find("this is a KML document"), std::string::npos);
+  EXPECT_LT(svg_error(svg("<" + std::string(100'000, 'q') + "/>")).size(), 300u);
+  EXPECT_LT(svg_error("<" + std::string(100'000, 'q') + "/>").size(), 300u);
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "<g>";
   for (int i = 0; i < 5000; ++i) deep += "</g>";
