@@ -78,6 +78,7 @@ class GeoJsonReader {
     const auto found = feature.find("properties");
     const json* properties = found != feature.end() && found->is_object() ? &*found : nullptr;
     if (feature.contains("crs") || feature.contains("coordRefSys")) read_crs(feature);
+    if (geometry->is_object()) read_crs(*geometry);  // there PostGIS writes it
     const Role role = role_of(properties, place);
     note_properties(feature, properties, role, place);
     curved_ = is_curved(properties, place);

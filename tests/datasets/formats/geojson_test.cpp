@@ -197,6 +197,12 @@ TEST(GeoJson, AnOldReferenceSystemSaysWhatCoordinatesAre) {
   EXPECT_NE(warning(crs("EPSG:2263")).find("coordinates are not in meters (\"EPSG:2263\")"), std::string::npos);
   EXPECT_NE(warning(crs("hall 7")).find("the coordinate system (\"hall 7\") is not known here"), std::string::npos);
   EXPECT_TRUE(read_geojson(collection(large, crs("NAD83")), "w", {.planar = true}).warnings.empty());
+  // As PostGIS writes it.
+  const std::string inside =
+      R"({"type":"Polygon",)" + crs("EPSG:4326") + R"("coordinates":[[[8,48],[12,48],[12,50],[8,48]]]})";
+  const MapFile in_geometry = geojson_of(collection(feature(inside)));
+  ASSERT_EQ(in_geometry.warnings.size(), 1u);
+  EXPECT_NE(in_geometry.warnings[0].find("coordinates are degrees"), std::string::npos);
   EXPECT_THROW(read_geojson(collection(large, crs("EPSG:25832")), "w", {.lonlat = true}), FormatError);
 }
 
