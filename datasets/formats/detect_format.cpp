@@ -31,7 +31,7 @@ struct FormatWord {
 };
 constexpr FormatWord kFormats[] = {{"geojson", MapFormat::kGeoJson, "GeoJSON"},
                                    {"wkt", MapFormat::kWkt, "WKT"},
-                                   {"text", MapFormat::kTextPolygons, "plain text polygons"},
+                                   {"text", MapFormat::kTextPolygons, "text of polygons"},
                                    {"vertices", MapFormat::kVertexList, "list of vertices"},
                                    {"tpcap", MapFormat::kTpcap, "TPCAP case"},
                                    {"movingai", MapFormat::kMovingAiMap, "MovingAI map"},

@@ -106,6 +106,8 @@ TEST_F(ReadMap, AGuessIsNamedAndCanBeForced) {
   EXPECT_NE(error_of(odd).find("was taken for a "), std::string::npos) << error_of(odd);
   EXPECT_NE(error_of(odd).find("--format NAME reads it as another"), std::string::npos);
   EXPECT_EQ(error_of(odd, {.format = MapFormat::kWkt}).find("--format"), std::string::npos);
+  EXPECT_NE(error_of(put("odd2.txt", "0 0 1 0 1 x\n2 2 3 2 3 3\n")).find("was taken for a text of polygons"),
+            std::string::npos);
   const fs::path list = put("list.csv", "0 0\n9 0\n9 9\n0 0 1 0 1 1\n");
   EXPECT_EQ(read_map(put("p.txt", "0 0 1 0 1 1\n")).obstacles.size(), 1u);
   EXPECT_NE(error_of(list, {.format = MapFormat::kTextPolygons}).find("line 1: needs at least 3"), std::string::npos);
