@@ -57,6 +57,7 @@ CoordinateUnit unit_of_code(int code) {
   if (is_one_of(code, kGradCodes)) return CoordinateUnit::kGrads;
   if (lies_in(code, kGeographicCodes) || lies_in(code, kEsriGeographic)) return CoordinateUnit::kDegrees;
   if (lies_in(code, kOtherUnitCodes)) return CoordinateUnit::kOtherUnit;
+  if (lies_in(code, kLaterCodes)) return CoordinateUnit::kUnknown;
   return code >= kFirstProjected && code <= kLastCode ? CoordinateUnit::kMeters : CoordinateUnit::kUnknown;
 }
 
@@ -152,6 +153,7 @@ CoordinateUnit unit_of_name(std::string_view text) {
                                        "latlon",
                                        "latlong",
                                        "longitudelatitude",
+                                       "longitudeandlatitude",
                                        "latitudelongitude",
                                        "geographic",
                                        "geodetic",

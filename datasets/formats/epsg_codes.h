@@ -100,7 +100,11 @@ inline constexpr int kMercatorCodes[] = {3395, 3832, 54004};
 
 /// Other projections of the whole globe, or scaled at one latitude, that stretch east and north differently or a lot.
 inline constexpr int kStretchedCodes[] = {2934, 3000, 3001, 3002, 3349, 3388, 3410, 3752, 3786, 3975,
-                                          3994, 4087, 4088, 5329, 5330, 5331, 5641, 6933, 32662, 32663};
+                                          3994, 4087, 4088, 5329, 5330, 5331, 5641, 6933, 8857, 8858, 8859, 32662,
+                                          32663};
+
+/// Codes that versions of the registry after this one give to systems of any kind, geographic ones among them.
+inline constexpr EpsgRange kLaterCodes[] = {{10161, 19999}};
 
 // clang-format on
 

@@ -43,7 +43,8 @@ TEST(CoordinateSystem, KnowsEveryNotationOfAGeographicSystem) {
                                     R"(GEOGCS["GCS_X",DATUM["D",SPHEROID["S",1,2]]])",
                                     R"(GEOGCRS["WGS 84",CS[ellipsoidal,2],ANGLEUNIT["degree",0.017]])",
                                     R"(GEODCRS["WGS 84"])",
-                                    "lon/lat"});
+                                    "lon/lat",
+                                    "longitude and latitude"});
   expect(CoordinateUnit::kGrads, {"EPSG:4807", R"x(GEOGCS["NTF (Paris)",UNIT["grad",0.0157]])x"});
 }
 
@@ -61,8 +62,8 @@ TEST(CoordinateSystem, KnowsPlanarSystemsAndTheirUnits) {
           R"(PROJCS["WGS_1984_Web_Mercator_Auxiliary_Sphere",UNIT["Meter",1.0]])",
           "+proj=merc +a=6378137 +b=6378137 +nadgrids=@null"});
   expect(CoordinateUnit::kMercator, {"EPSG:3395", "WGS 84 / World Mercator", "+proj=merc +datum=WGS84"});
-  expect(CoordinateUnit::kStretched, {"EPSG:4087", "EPSG:32662", "ESRI:54009", "+proj=eqc"});
-  expect(CoordinateUnit::kUnknown, {"", "frame of the hall", "EPSG:99999", "IGNF:LAMB93", "EPSG:12"});
+  expect(CoordinateUnit::kStretched, {"EPSG:4087", "EPSG:32662", "EPSG:8857", "ESRI:54009", "+proj=eqc"});
+  expect(CoordinateUnit::kUnknown, {"", "frame of the hall", "EPSG:99999", "IGNF:LAMB93", "EPSG:12", "EPSG:10176"});
 }
 
 TEST(CoordinateSystem, WebMercatorReadsBackward) {
