@@ -132,16 +132,18 @@ inline constexpr StrategyRow kStrategy[] = {
     // much cheaper, nothing looks for faster ones that are driven forwards.
     {"lower bound around obstacles", {.known = Known::kPath, .driving = Driving::kBothGears}, RaiseLowerBound{}},
     {"roadmap backwards", {.driving = Driving::kBothGears}, JoinBackwards{}},
-    // The way out of a narrow place.
+    // The way out of a narrow place. Of 60 driven worlds it makes none faster whose gap is below 0.2.
     {"changes of gear near the ends",
-     {.driving = Driving::kBothGears},
+     {.driving = Driving::kBothGears, .gap = 0.1},
      JoinBetweenGears{{.cells = 8.0, .most = 24, .most_expansions = 100}}},
-    // Some milliseconds, less than looking further for a way out.
-    {"proof of an enclosure", {.known = Known::kNoPath, .driving = Driving::kBothGears}, ProveEnclosure{15'000}},
+    // Some milliseconds, less than looking further for a way out. More boxes take as long as the trees, which find a
+    // path in most queries that get here.
+    {"proof of an enclosure", {.known = Known::kNoPath, .driving = Driving::kBothGears}, ProveEnclosure{3'000}},
     {"trees in both gears, beside a path",
      {.known = Known::kPath, .driving = Driving::kBothGears, .gap = 0.2},
      GrowGearTrees{1500}},
     {"trees in both gears", {.known = Known::kNoPath, .driving = Driving::kBothGears}, GrowGearTrees{2000}},
+    {"proof of an enclosure", {.known = Known::kNoPath, .driving = Driving::kBothGears}, ProveEnclosure{15'000}},
     {"maneuvers to circles in gaps",
      {.known = Known::kNoPath},
      JoinByManeuversAndNarrowPlaces{On::kAllRadii, 100},
@@ -251,9 +253,11 @@ inline constexpr StrategyRow kStrategy[] = {
     {"trees in both gears, behind narrow ones",
      {.known = Known::kNarrowPath, .driving = Driving::kBothGears},
      GrowGearTrees{16'000}},
-    // Places to turn further away.
+    // Places to turn further away. It makes 5 of 60 driven worlds faster, none of a gap below 0.5, and the catalog's
+    // car
+    // park from 0.36 on. A gap of 0.2 takes a fifth longer in all.
     {"changes of gear further away",
-     {.driving = Driving::kBothGears, .gap = 0.2},
+     {.driving = Driving::kBothGears, .gap = 0.3},
      JoinBetweenGears{{.cells = 2.0, .most = 99, .most_expansions = 1000}}},
     {"trees", kNarrowAfterGears, kCoarseTrees, kUntilCompared},
     {"trees of a slim body", kNarrowAfterGears, kSlimTrees, kUntilCompared},
