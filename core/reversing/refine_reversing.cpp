@@ -258,7 +258,6 @@ class ReversingRefiner {
   struct Link {
     Station place;
     Path motion;
-    double longer;  // than the way so far [m]
     std::optional<bool> free = {};
   };
 
@@ -280,28 +279,41 @@ class ReversingRefiner {
     return replace_beside(links(first, at, cusp, false, most), links(at, last, cusp, true, most));
   }
 
+  // A Dubins word between a place of the path and a cusp that has moved.
+  struct LinkWord {
+    std::size_t segment;
+    Pose from, to;  // driven forwards
+    DubinsWord word;
+    double longer;  // than the way so far [m]
+  };
+
   // The shortest connections between a moved cusp and the far ends of segments before or after it, in their gear.
   std::vector<Link> links(std::ptrdiff_t first, std::ptrdiff_t last, const Pose& cusp, bool after,
                           std::size_t most) const {
-    std::vector<Link> found;
+    std::vector<LinkWord> words;
     double length = 0.0;
     for (std::ptrdiff_t i = 0; i < last - first; ++i) {
       const auto segment = static_cast<std::size_t>(after ? first + i : last - 1 - i);
       const PathSegment& s = result_.path[segment];
       const Pose place = after ? s.end() : s.start;
       const bool towards_cusp = after != (s.gear == Gear::kForward);
+      const Pose &from = towards_cusp ? place : cusp, &to = towards_cusp ? cusp : place;
       length += s.length;
       for (const DubinsWord word : kDubinsWords) {
-        const auto forwards =
-            dubins_path(word, towards_cusp ? place : cusp, towards_cusp ? cusp : place, SideRadii(vehicle_));
-        if (!forwards) continue;
-        found.push_back({{segment, after ? 1.0 : 0.0, place, 0.0, 0.0, 0},
-                         s.gear == Gear::kForward ? *forwards : reversed(*forwards),
-                         length_of(*forwards) - length});
+        const double word_length = dubins_length(word, from, to, SideRadii(vehicle_));
+        if (word_length < kInfinity) words.push_back({segment, from, to, word, word_length - length});
       }
     }
-    std::stable_sort(found.begin(), found.end(), [](const Link& a, const Link& b) { return a.longer < b.longer; });
-    if (found.size() > most) found.resize(most);
+    std::stable_sort(words.begin(), words.end(),
+                     [](const LinkWord& a, const LinkWord& b) { return a.longer < b.longer; });
+    if (words.size() > most) words.resize(most);
+    std::vector<Link> found;
+    for (const LinkWord& w : words) {
+      const PathSegment& s = result_.path[w.segment];
+      const Path forwards = *dubins_path(w.word, w.from, w.to, SideRadii(vehicle_));
+      found.push_back({{w.segment, after ? 1.0 : 0.0, after ? s.end() : s.start, 0.0, 0.0, 0},
+                       s.gear == Gear::kForward ? forwards : reversed(forwards)});
+    }
     return found;
   }
 
