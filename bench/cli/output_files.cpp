@@ -12,11 +12,28 @@ namespace {
 // "-" is standard output.
 std::string output_path(const std::string& target) { return target == "-" ? "/dev/stdout" : target; }
 
+bool is_standard_output(const std::string& target) {
+  return target == "-" || target == "/dev/stdout" || target == "/dev/fd/1" || target == "/proc/self/fd/1";
+}
+
+// Two files in one stream, as one of JSON and one of CSV, are of use to nobody.
+void check_standard_output(const std::vector<std::string>& targets) {
+  std::string first;
+  for (const std::string& target : targets) {
+    if (!is_standard_output(target)) continue;
+    if (!first.empty())
+      throw FileError("cannot write " + target + ": " + (first == target ? "" : "is " + first + ": ") +
+                      "two files are to be written to standard output");
+    first = target;
+  }
+}
+
 }  // namespace
 
 OutputFiles::OutputFiles(const std::vector<std::string>& targets, const std::vector<std::string>& inputs, bool writes)
     : writes_(writes) {
   if (!writes_) return;
+  check_standard_output(targets);
   for (const std::string& input : inputs)
     if (!input.empty() && input != "-") files_.protect(input);
   files_.protect("/dev/stdout", "takes what is printed");

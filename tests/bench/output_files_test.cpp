@@ -161,6 +161,8 @@ TEST_F(OutputFilesTest, StandardOutputMayBeAFile) {
   EXPECT_EQ(both.code, 0) << both.err;
   EXPECT_TRUE(both.out.starts_with("{\"format\":\"arcway-plan\"")) << both.out;
   EXPECT_NE(both.out.find("travel time"), std::string::npos);
+  for (const char* two : {" --json - --csv -", " --json - --csv /dev/stdout"})
+    expect_bad_input(plan() + two, "two files are to be written to standard output");
   const Run one = run(plan() + " --json " + file("stdout"));
   EXPECT_EQ(one.code, 2);
   EXPECT_NE(one.err.find("takes what is printed"), std::string::npos) << one.err;
