@@ -76,7 +76,7 @@ double parse_heading(std::string_view text, std::string_view what) {
   constexpr std::string_view kDegrees = "deg";
   if (text.size() > kDegrees.size() && text.substr(text.size() - kDegrees.size()) == kDegrees) {
     text.remove_suffix(kDegrees.size());
-    return parse_number(text, what) / 180.0 * kPi;
+    return std::fmod(parse_number(text, what), 360.0) / 180.0 * kPi;  // whole turns are of no matter
   }
   return parse_number(text, what);
 }

@@ -684,7 +684,9 @@ TEST_F(Tool, WarnsOfDegrees) {
   const Run plan = run("plan " + map_ + " --start 10,10,0 --goal 50,50,90");
   EXPECT_NE(plan.out.find("goal heading is 90 rad, more than a full turn: did you mean 90deg?"), std::string::npos)
       << plan.out;
-  EXPECT_EQ(run("plan " + map_ + " --start 10,10,0 --goal 50,50,90deg").out.find("full turn"), std::string::npos);
+  for (const char* heading : {"90deg", "3690deg"})
+    EXPECT_EQ(run("plan " + map_ + " --start 10,10,0 --goal 50,50," + heading).out.find("full turn"), std::string::npos)
+        << heading;
   const std::string queries = put("q.csv", "q,sx,sy,stheta,gx,gy,gtheta\n0,10,10,0,50,50,90\n1,10,10,45,50,50,0\n");
   const Run batch = run("plan " + map_ + " --queries " + queries + " --out " + file("r.csv"));
   EXPECT_NE(batch.out.find("q.csv:2: gtheta heading is 90 rad, more than a full turn: did you mean 90deg? 1 more of"),
