@@ -68,6 +68,8 @@ bool PlanRun::holds(Known known) const {
       return has_forward_path() && query_.maps.tightest && maps_ != &*query_.maps.tightest;
     case Known::kNarrowPath:
       return only_narrow_gears_;
+    case Known::kGearChanges:
+      return !found_ && reversing_ && reversing_->path() && cusps_of(*reversing_->path()) > 0;
   }
   return false;
 }

@@ -55,6 +55,8 @@ inline constexpr SurroundingsEffort kSurroundingsEffort{
 inline constexpr std::array kSlimBodies{0.1, 0.03};
 // The pass of trees of the first of them. It solves 32 of these 46 worlds, a quarter of its poses 25.
 inline constexpr std::array<TreePass, 1> kSlimPasses{{{1.0 / 64.0, 4, 0.8, false}}};
+// A quarter of that, where a path is known.
+inline constexpr std::array<TreePass, 1> kShortSlimPasses{{{1.0 / 64.0, 4, 0.2, false}}};
 
 // The narrow part of the strategy, in one gear. It is looked at before a way in both gears if the vehicle may not
 // reverse, else behind it: most ways out of narrow places are found sooner in both gears.
@@ -73,12 +75,16 @@ inline constexpr GrowTrees kFinerTrees{.on = On::kAllRadii,
 // A path of fewer motions is made free more often, and is faster then.
 inline constexpr GrowSlimTrees kSlimTrees{
     .body = 0, .passes = kSlimPasses, .when = WhenSlim::kUnlessClosed, .shortening = 2000, .shortenings = 10};
+inline constexpr GrowSlimTrees kShortSlimTrees{
+    .body = 0, .passes = kShortSlimPasses, .when = WhenSlim::kUnlessClosed, .shortening = 2000, .shortenings = 10};
 inline constexpr GrowSlimTrees kLessSlimTrees{.body = 1,
                                               .passes = std::span(kTreePasses).first<1>(),
                                               .when = WhenSlim::kClosedOrRefused,
                                               .shortening = 2000,
                                               .shortenings = 10};
 inline constexpr When kNarrowForwards{.known = Known::kNoPath, .driving = Driving::kForwards, .grows_trees = true};
+inline constexpr When kInsteadOfGearChanges{
+    .known = Known::kGearChanges, .driving = Driving::kBothGears, .grows_trees = true, .gap = 0.5};
 inline constexpr When kNarrowAfterGears{.known = Known::kNoPath, .driving = Driving::kBothGears, .grows_trees = true};
 
 // A path of other radii that is slower by this share is not worth refining. Measured on 306 paths of three robots: 0.04
@@ -259,6 +265,8 @@ inline constexpr StrategyRow kStrategy[] = {
     {"changes of gear further away",
      {.driving = Driving::kBothGears, .gap = 0.3},
      JoinBetweenGears{{.cells = 2.0, .most = 99, .most_expansions = 1000}}},
+    // A path that is driven forwards is often cheaper beside a wall, and more so the more a change of gear costs.
+    {"trees of a slim body, instead of changes of gear", kInsteadOfGearChanges, kShortSlimTrees, kUntilCompared},
     {"trees", kNarrowAfterGears, kCoarseTrees, kUntilCompared},
     {"trees of a slim body", kNarrowAfterGears, kSlimTrees, kUntilCompared},
 };

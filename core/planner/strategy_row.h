@@ -23,7 +23,8 @@ enum class Known {
   kPath,           ///< some path
   kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
-  kNarrowPath      ///< only a path of trees for narrow places, which know little of cost
+  kNarrowPath,     ///< only a path of trees for narrow places, which know little of cost
+  kGearChanges     ///< only a path with changes of gear
 };
 /// What the request allows.
 enum class Driving { kAny, kForwards, kBothGears };

@@ -28,6 +28,8 @@ const char* text_of(Known known) {
       return "a forward path, none of the tightest radii";
     case Known::kNarrowPath:
       return "a path of narrow trees only";
+    case Known::kGearChanges:
+      return "only a path with changes of gear";
   }
   return "";
 }

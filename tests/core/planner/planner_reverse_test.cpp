@@ -74,6 +74,32 @@ TEST(PlannerReverse, IsNeverDearerThanForwards) {
   EXPECT_GT(faster, 0);
 }
 
+// A car stops 3 cm from a wall. It gets there forwards, by small angles that only trees find, and sooner than with a
+// change of gear.
+TEST(PlannerReverse, IsNotDearerThanForwardsBesideAWall) {
+  const World world({box(-90.0, -6.0, 135.0, -0.936)}, box(-90.0, -6.0, 135.0, 36.0).outer);
+  const Vehicle car({.length = 4.5,
+                     .width = 1.8,
+                     .wheelbase = 2.7,
+                     .max_steering_angle = 0.55,
+                     .max_speed = 2.5,
+                     .turn_speed = ConstantTurnSpeed{1.5},
+                     .max_acceleration = 1.0,
+                     .safety_margin = 0.01});
+  const Planner planner(world, car);
+  PlanRequest request{.start = {0, 3.826, 0}, .goal = {26.33, 0, 0}};
+  const PlanResult forwards = planner.plan(request);
+  ASSERT_TRUE(forwards.solved());
+  request.reverse = true;
+  for (const double cusp_cost : {0.0, 10.0, 100.0}) {
+    request.cusp_cost = cusp_cost;
+    const PlanResult both = planner.plan(request);
+    ASSERT_TRUE(both.solved());
+    expect_valid(planner, both, true);
+    EXPECT_LE(cost_of(both, cusp_cost), 1.05 * forwards.travel_time) << cusp_cost;
+  }
+}
+
 // A goal beside the start on an open field: gear changes lead there, or a loop driven forwards.
 TEST(PlannerReverse, TheCostOfAChangeOfGearChangesThePlan) {
   const Planner planner(World({box(50.0, 50.0, 51.0, 51.0)}), Vehicle{});
