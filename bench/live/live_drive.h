@@ -53,8 +53,8 @@ class LiveDrive {
   WalkingObstacles obstacles_;
   Trajectory driven_;
   std::vector<TimedSegment> given_up_;  // see Replan::given_up
-  double time_ = 0.0;      // of the motion that is driven [s]
-  double standing_ = 0.0;  // for how long the vehicle has stood [s]
+  double time_ = 0.0;                   // of the motion that is driven [s]
+  double standing_ = 0.0;               // for how long the vehicle has stood [s]
   std::size_t goal_ = 0, goals_reached_ = 0;
   bool leads_to_goal_ = true;
 };
