@@ -15,7 +15,7 @@
 #include "tests/support/boxes.h"
 #include "tests/support/lazy_maps.h"
 
-namespace arcway::internal {
+namespace arcway::internal::one_way_routes_test {
 namespace {
 
 using test::box;
@@ -91,4 +91,4 @@ TEST(OneWayRoutes, AreNotFoundWhenTheClockIsOver) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::one_way_routes_test

@@ -8,7 +8,7 @@
 #include "arcway/planner.h"
 #include "tests/support/boxes.h"
 
-namespace arcway::internal {
+namespace arcway::internal::motion_parts_test {
 namespace {
 
 Vehicle robot() {
@@ -61,4 +61,4 @@ TEST(MotionParts, AreDrivenSlowerUntilTheyCatchUp) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::motion_parts_test

@@ -15,7 +15,7 @@
 #include "tests/support/free_plans.h"
 #include "tests/support/random_inputs.h"
 
-namespace arcway::internal {
+namespace arcway::internal::path_repair_test {
 namespace {
 
 constexpr double kAmpleTime = 1e6;  // [s]; with a limit, as only then motions are repaired
@@ -174,4 +174,4 @@ TEST(PathRepair, DrivesBackwardsOnlyIfAsked) {
 }
 
 }  // namespace
-}  // namespace arcway::internal
+}  // namespace arcway::internal::path_repair_test
