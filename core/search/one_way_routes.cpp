@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kMostEdges = 60;          // of all zones that have places
 constexpr std::array kPlaces{0.25, 0.5, 0.75};  // on an edge, as shares of its length
 constexpr std::array kShares{0.0, -0.9, 0.9};   // directions of crossings, in tolerances from the zone's heading
+constexpr double kFirstMove = 0.125;            // of a place, as a share of the distance from start to goal
+constexpr int kHalvings = 8;                    // of moves
+constexpr int kMovesOfAStep = 8;                // one after another
 constexpr std::uint32_t kStartPlace = 0, kGoalPlace = 1;
 
 template <class Visit>
@@ -89,9 +92,9 @@ void OneWayRoutes::add_crossings(const Zone& zone, const Vec2& place) {
   }
 }
 
-bool OneWayRoutes::is_allowed(std::uint32_t from, std::uint32_t to) const {
-  const Vec2 d = places_[to] - places_[from];
-  return map_.one_way_zones->allows_line(pose_along(places_[from], d), d.norm(), Gear::kForward);
+bool OneWayRoutes::is_allowed(const Vec2& from, const Vec2& to) const {
+  const Vec2 d = to - from;
+  return map_.one_way_zones->allows_line(pose_along(from, d), d.norm(), Gear::kForward);
 }
 
 std::optional<std::vector<Pose>> OneWayRoutes::find(const StopClock& clock) {
@@ -113,7 +116,9 @@ std::optional<std::vector<Pose>> OneWayRoutes::find(const StopClock& clock) {
     done[from] = true;
     for (std::uint32_t to = 0; to < n; ++to) {
       const double length = lengths[from] + (places_[to] - places_[from]).norm() + turn;
-      if (done[to] || length >= lengths[to] || left_out_.contains({from, to}) || !is_allowed(from, to)) continue;
+      if (done[to] || length >= lengths[to] || left_out_.contains({from, to}) ||
+          !is_allowed(places_[from], places_[to]))
+        continue;
       lengths[to] = length;
       before[to] = from;
       open.push({length + to_goal(to), to});
@@ -122,21 +127,48 @@ std::optional<std::vector<Pose>> OneWayRoutes::find(const StopClock& clock) {
   route_ = {kGoalPlace};
   while (route_.back() != kStartPlace) route_.push_back(before[route_.back()]);
   std::ranges::reverse(route_);
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < route_.size(); ++i) poses.push_back(pose_at(i));
-  return poses;
+  std::vector<Vec2> route;
+  for (const std::uint32_t place : route_) route.push_back(places_[place]);
+  shorten(route);
+  return poses_over(route);
 }
 
-Pose OneWayRoutes::pose_at(std::size_t i) const {
-  if (i == 0) return start_;
-  if (i + 1 == route_.size()) return goal_;
-  const std::uint32_t here = route_[i];
-  const Vec2 in = (places_[here] - places_[route_[i - 1]]).normalized();
-  const Vec2 out = (places_[route_[i + 1]] - places_[here]).normalized();
-  // Zones limit a line that may not be driven the other way round.
-  const bool is_in_limited = !is_allowed(here, route_[i - 1]), is_out_limited = !is_allowed(route_[i + 1], here);
-  if (is_in_limited != is_out_limited) return pose_along(places_[here], is_in_limited ? in : out);
-  return pose_along(places_[here], in + out);
+void OneWayRoutes::shorten(std::vector<Vec2>& route) const {
+  double step = kFirstMove * (places_[kGoalPlace] - places_[kStartPlace]).norm();
+  for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5)
+    for (std::size_t count : {std::size_t{2}, std::size_t{1}})
+      for (std::size_t i = 1; i + count < route.size(); ++i)
+        for (const Vec2& by : {Vec2(step, 0.0), Vec2(-step, 0.0), Vec2(0.0, step), Vec2(0.0, -step)})
+          for (int again = 0; again < kMovesOfAStep && move(route, i, count, by);) ++again;
+}
+
+bool OneWayRoutes::move(std::vector<Vec2>& route, std::size_t i, std::size_t count, const Vec2& by) const {
+  const std::size_t last = i + count - 1;
+  const Vec2 &before = route[i - 1], &behind = route[last + 1], first_moved = route[i] + by,
+             last_moved = route[last] + by;
+  const double length = (route[i] - before).norm() + (behind - route[last]).norm();
+  if ((first_moved - before).norm() + (behind - last_moved).norm() >= length) return false;
+  const auto may_drive = [&](const Vec2& from, const Vec2& to) {
+    return is_allowed(from, to) && map_.queries.visibility->visible({from, to});
+  };
+  if (!may_drive(before, first_moved) || !may_drive(last_moved, behind)) return false;
+  if (count > 1 && !may_drive(first_moved, last_moved)) return false;
+  for (std::size_t k = i; k <= last; ++k) route[k] += by;
+  return true;
+}
+
+std::vector<Pose> OneWayRoutes::poses_over(const std::vector<Vec2>& route) const {
+  std::vector<Pose> poses{start_};
+  for (std::size_t i = 1; i + 1 < route.size(); ++i) {
+    const Vec2 in = (route[i] - route[i - 1]).normalized(), out = (route[i + 1] - route[i]).normalized();
+    // Zones limit a line that may not be driven the other way round.
+    const bool is_in_limited = !is_allowed(route[i], route[i - 1]);
+    const bool is_out_limited = !is_allowed(route[i + 1], route[i]);
+    const Vec2 along = is_in_limited == is_out_limited ? Vec2(in + out) : is_in_limited ? in : out;
+    poses.push_back(pose_along(route[i], along));
+  }
+  poses.push_back(goal_);
+  return poses;
 }
 
 void OneWayRoutes::leave_out(std::size_t line) { left_out_.insert({route_[line], route_[line + 1]}); }

@@ -21,6 +21,7 @@ namespace arcway::internal {
 ///    these has one more on the other side of its zone, along each of three directions that the zone allows.
 /// 2. A line between two places may be driven if all zones allow it.
 /// 3. The shortest route over such lines is found by A*. Each place counts as long as the tightest turning radius.
+/// 4. Its places are moved, alone and two by two, as long as that makes it shorter and no obstacle gets in between.
 class OneWayRoutes {
  public:
   /// O(edges of one-way zones). Many edges have fewer places each.
@@ -39,8 +40,11 @@ class OneWayRoutes {
   void add_places(const Zone& zone, std::size_t every);
   void add_corners(const Ring& ring);
   void add_crossings(const Zone& zone, const Vec2& place);
-  [[nodiscard]] bool is_allowed(std::uint32_t from, std::uint32_t to) const;
-  [[nodiscard]] Pose pose_at(std::size_t i) const;
+  [[nodiscard]] bool is_allowed(const Vec2& from, const Vec2& to) const;
+  void shorten(std::vector<Vec2>& route) const;
+  // Moves `count` places, the i-th and those behind it, if that makes the route shorter.
+  bool move(std::vector<Vec2>& route, std::size_t i, std::size_t count, const Vec2& by) const;
+  [[nodiscard]] std::vector<Pose> poses_over(const std::vector<Vec2>& route) const;
 
   const Roadmap& map_;
   Pose start_, goal_;
