@@ -49,8 +49,7 @@ void PlanRun::follow(std::span<const StrategyRow> rows) {
     const double trials = query_.maps.tightest ? row.trials.several : row.trials.tightest;
     std::visit([&](const auto& step) { take(step, trials); }, row.step);
   }
-  if (soon_ && !found_) keep(*std::exchange(soon_, std::nullopt), 0, 0.0, RefineMode::kForwards);
-  if (soon_) workspace_.find.search.reuse(*std::exchange(soon_, std::nullopt));
+  if (soon_) keep(*std::exchange(soon_, std::nullopt), 0, 0.0, RefineMode::kForwards);
   keep_in_both_gears();
   if (!has_proof_ && forward_all_radii_) why_.obstruction = forward_all_radii_->obstruction();
 }
@@ -198,6 +197,7 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
   note_first(path, time);
   refine(path, trials, mode);
   workspace_.find.search.reuse(std::move(path));
+  if (soon_) workspace_.find.search.reuse(*std::exchange(soon_, std::nullopt));
   const double cost = cost_of(workspace_.refined.path);
   if (way != 0 && are_turns_optimized_) workspace_.ways.push_back({way, unrefined, cost});
   if (cost < best_cost_) {

@@ -106,7 +106,6 @@ class PlanRun {
 
   void take(const JoinBySingleArcs& step, double trials);
   void take(const FindSoon& step, double trials);
-  void take(const RefineSoon& step, double trials);
   void take(const JoinByNarrowPlaces& step, double trials);
   void take(const JoinByManeuvers& step, double trials);
   void take(const JoinByManeuversAndNarrowPlaces& step, double trials);
@@ -185,8 +184,7 @@ class PlanRun {
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;
-  std::optional<Path> soon_;         // of FindSoon, until it is refined
-  std::uint64_t soon_way_ = 0;       // its way, see SearchResult
+  std::optional<Path> soon_;         // of FindSoon, until another one is kept
   std::uint64_t soon_expanded_ = 0;  // number of expansions of FindSoon
   const PlanMaps* maps_ = nullptr;   // roadmaps in use, see On
   Fastest fastest_{};                // the fastest path on the roadmaps in use

@@ -80,12 +80,7 @@ void PlanRun::take(const FindSoon& step, double) {
   const double unrefined = travel_time(*found.search.path);
   if (unrefined == kInfinity) return;
   soon_ = std::move(found.search.path);
-  soon_way_ = found.search.way;
   note_first(*soon_, unrefined);
-}
-
-void PlanRun::take(const RefineSoon&, double trials) {
-  if (soon_) keep(*std::exchange(soon_, std::nullopt), soon_way_, trials, RefineMode::kForwards);
 }
 
 void PlanRun::take(const JoinByNarrowPlaces& step, double trials) {

@@ -101,11 +101,6 @@ inline constexpr When kOtherEnds{.known = Known::kForwardPath,
                                  .best_gap = kWorthOtherRoutes,
                                  .gap_counts_zones = true};
 
-// Gap of the best plan from which on the first path is refined as well. Of 933 paths of three robots among 100
-// obstacles, that makes 13 faster, by up to 10 %, and 3 slower, by up to 4 %. Paths of a smaller gap gain less than 1 %
-// by it.
-inline constexpr double kWorthFirstPath = 0.05;
-
 // Number of radii of the circles of start and goal, where a path is there or easy to find. The vehicle is slow there,
 // and refinement makes these turns wider. Measured on 306 paths of three robots: all five take a quarter longer, and
 // the paths are as fast in the mean.
@@ -198,11 +193,6 @@ inline constexpr StrategyRow kStrategy[] = {
     {"tightest radii alone",
      {.known = Known::kPathElsewhere, .radii = Radii::kSeveral, .best_gap = kAtBound},
      JoinByManeuversAndNarrowPlaces{On::kTightest, 100}},
-    // Found in haste, it leads another way than the fastest paths of the graph do at times.
-    {"refinement of the first path",
-     {.known = Known::kForwardPath, .radii = Radii::kSeveral, .refines = true, .best_gap = kWorthFirstPath},
-     RefineSoon{},
-     kUntilCompared},
     {"6 maneuvers at both ends",
      {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.07},
      TryManeuvers{.poses = 6, .least_gain = 0.001}},

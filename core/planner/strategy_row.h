@@ -67,13 +67,11 @@ struct JoinBySingleArcs {
   std::size_t end_radii;  ///< number of radii of these circles, from the smallest on
 };
 /// Does so on the roadmap of the tightest radii, for a path that is there soon: it is the answer if the time is up
-/// before another one is found. Only RefineSoon refines it.
+/// before another one is found, and is not refined.
 struct FindSoon {
   std::size_t end_radii;
   double suboptimality;  ///< of the search, see SearchOptions
 };
-/// Refines the path of FindSoon, which may pass obstacles on other sides than the fastest one before refinement.
-struct RefineSoon {};
 /// Joins both ends to the roadmap with circles in narrow gaps.
 struct JoinByNarrowPlaces {
   On on;
@@ -184,7 +182,7 @@ struct GrowNarrowGearTrees {
   std::size_t poses;
 };
 
-using Step = std::variant<JoinBySingleArcs, FindSoon, RefineSoon, JoinByNarrowPlaces, JoinByManeuvers,
+using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
                           JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
                           GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers,
                           TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii,

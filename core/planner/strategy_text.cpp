@@ -55,7 +55,6 @@ struct StepText {
     return "join the roadmap of the tightest radii by single arcs of " + std::to_string(step.end_radii) +
            " radii, in haste: by a path that takes at most " + percent(step.suboptimality) + " longer";
   }
-  std::string operator()(const RefineSoon&) const { return "refine the first path as well"; }
   std::string operator()(const JoinByNarrowPlaces& step) const {
     return std::string("join the roadmap of ") + text_of(step.on) + " with circles in gaps by single arcs";
   }

@@ -12,7 +12,6 @@
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/datasets/driven_world.h"
-#include "arcway/datasets/random_queries.h"
 #include "core/planner/strategy.h"
 #include "core/refine/moves.h"
 #include "tests/support/boxes.h"
@@ -164,13 +163,11 @@ TEST(PlanSteps, JoinByFewRadiiFirst) {
 }
 
 // Among the tightest radii alone a path is there soon. It is the answer where nothing else is tried, and changes no
-// plan unless it is refined.
+// plan.
 TEST(PlanSteps, FindAPathSoon) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
   const World world = random_world({.obstacles = 30, .vertices = 8, .fill = 0.25, .seed = 3});
-  const std::string refined = "refinement of the first path";
-  const Planner all(world, vehicle, {.leave_out = {refined}});
-  const Planner without(world, vehicle, {.leave_out = {"first path", refined}});
+  const Planner all(world, vehicle), without(world, vehicle, {.leave_out = {"first path"}});
   const Planner alone(world, vehicle, only_with({"first path"}));
   ASSERT_GT(all.options().radii.size(), 1u);
   const auto are_same = [](const Path& a, const Path& b) {
@@ -198,19 +195,6 @@ TEST(PlanSteps, FindAPathSoon) {
   }
   EXPECT_GE(solved, 5);
   EXPECT_GE(others, 3);
-}
-
-// The first path passes obstacles on other sides than the fastest paths before refinement.
-TEST(PlanSteps, RefineTheFirstPath) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
-  const World world =
-      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.25, .seed = 30});
-  const Planner all(world, vehicle), without(world, vehicle, {.leave_out = {"refinement of the first path"}});
-  const PlanRequest request = random_queries(world, all.queries(), vehicle, {.count = 9, .seed = 3}).back();
-  const PlanResult refined = all.plan(request), fastest = without.plan(request);
-  ASSERT_TRUE(refined.solved() && fastest.solved());
-  test::expect_valid(all, refined);
-  EXPECT_LT(refined.travel_time, 0.99 * fastest.travel_time);
 }
 
 }  // namespace
