@@ -17,6 +17,7 @@
 #include "arcway/planner.h"
 #include "core/motion/speed_profile.h"
 #include "tests/support/boxes.h"
+#include "tests/support/narrow_queries.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -78,15 +79,7 @@ TEST(PlannerReverse, IsNeverDearerThanForwards) {
 // change of gear.
 TEST(PlannerReverse, IsNotDearerThanForwardsBesideAWall) {
   const World world({box(-90.0, -6.0, 135.0, -0.936)}, box(-90.0, -6.0, 135.0, 36.0).outer);
-  const Vehicle car({.length = 4.5,
-                     .width = 1.8,
-                     .wheelbase = 2.7,
-                     .max_steering_angle = 0.55,
-                     .max_speed = 2.5,
-                     .turn_speed = ConstantTurnSpeed{1.5},
-                     .max_acceleration = 1.0,
-                     .safety_margin = 0.01});
-  const Planner planner(world, car);
+  const Planner planner(world, Vehicle(test::car()));
   PlanRequest request{.start = {0, 3.826, 0}, .goal = {26.33, 0, 0}};
   const PlanResult forwards = planner.plan(request);
   ASSERT_TRUE(forwards.solved());
