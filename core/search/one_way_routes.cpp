@@ -5,22 +5,23 @@
 #include <cmath>
 #include <functional>
 #include <queue>
+#include <tuple>
 #include <variant>
 
 #include "arcway/angle.h"
-#include "core/base/infinity.h"
+#include "core/model/world_checks.h"
 #include "core/zones/one_way_zones.h"
 
 namespace arcway::internal {
 
 namespace {
 
-constexpr std::size_t kMostEdges = 60;          // of all zones that have places
-constexpr std::array kPlaces{0.25, 0.5, 0.75};  // on an edge, as shares of its length
-constexpr std::array kShares{0.0, -0.9, 0.9};   // directions of crossings, in tolerances from the zone's heading
-constexpr double kFirstMove = 0.125;            // of a place, as a share of the distance from start to goal
-constexpr int kHalvings = 8;                    // of moves
-constexpr int kMovesOfAStep = 8;                // one after another
+constexpr std::size_t kMostEdgesWithPlaces = 60, kMostEdges = 1000;  // of all zones; a line is compared with each
+constexpr std::array kPlaces{0.25, 0.5, 0.75};                       // on an edge, as shares of its length
+constexpr std::array kShares{0.0, -0.9, 0.9};  // directions of crossings, in tolerances from the zone's heading
+constexpr double kFirstMove = 0.125;           // of a place, as a share of the distance from start to goal
+constexpr int kHalvings = 8;                   // of moves
+constexpr int kMovesOfAStep = 8;               // one after another
 constexpr std::uint32_t kStartPlace = 0, kGoalPlace = 1;
 
 template <class Visit>
@@ -52,14 +53,12 @@ std::optional<double> length_inside(const Zone& zone, const Vec2& place, const V
 
 OneWayRoutes::OneWayRoutes(const Roadmap& map, const Pose& start, const Pose& goal)
     : map_(map), start_(start), goal_(goal), places_{start.position(), goal.position()} {
-  std::size_t edges = 0;
-  for (const std::uint32_t z : map.one_way_zones->zones()) {
-    const Polygon& area = map.world.zones()[z].area;
-    edges += area.outer.size();
-    for (const Ring& hole : area.holes) edges += hole.size();
-  }
-  for (const std::uint32_t z : map.one_way_zones->zones()) add_places(map.world.zones()[z], 1 + edges / kMostEdges);
   left_out_.insert({kStartPlace, kGoalPlace});
+  std::size_t edges = 0;
+  for (const std::uint32_t z : map.one_way_zones->zones()) edges += vertex_count_of({&map.world.zones()[z].area, 1});
+  if (edges > kMostEdges) return;
+  for (const std::uint32_t z : map.one_way_zones->zones())
+    add_places(map.world.zones()[z], 1 + edges / kMostEdgesWithPlaces);
 }
 
 void OneWayRoutes::add_places(const Zone& zone, std::size_t every) {
@@ -68,12 +67,12 @@ void OneWayRoutes::add_places(const Zone& zone, std::size_t every) {
   };
   visit_edges(zone.area.outer, every, add);
   for (const Ring& hole : zone.area.holes) visit_edges(hole, every, add);
-  add_corners(zone.area.outer);
+  add_corners(zone.area.outer, every);
 }
 
-void OneWayRoutes::add_corners(const Ring& ring) {
+void OneWayRoutes::add_corners(const Ring& ring, std::size_t every) {
   const double radius = map_.vehicle.min_turning_radius();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
+  for (std::size_t i = 0; i < ring.size(); i += every) {
     const Vec2 before = (ring[i] - ring[(i + ring.size() - 1) % ring.size()]).normalized();
     const Vec2 after = (ring[(i + 1) % ring.size()] - ring[i]).normalized();
     const Vec2 out = before - after;
@@ -98,30 +97,26 @@ bool OneWayRoutes::is_allowed(const Vec2& from, const Vec2& to) const {
 }
 
 std::optional<std::vector<Pose>> OneWayRoutes::find(const StopClock& clock) {
-  using Entry = std::pair<double, std::uint32_t>;
-  const std::size_t n = places_.size();
+  // A line to a place: by the estimate of the route over it, and its length up to there.
+  using Entry = std::tuple<double, double, std::uint32_t, std::uint32_t>;
+  const auto n = static_cast<std::uint32_t>(places_.size());
   const double turn = map_.vehicle.min_turning_radius();
-  std::vector<double> lengths(n, kInfinity);
   std::vector<std::uint32_t> before(n, kStartPlace);
   std::vector<bool> done(n, false);
-  const auto to_goal = [&](std::uint32_t p) { return (places_[kGoalPlace] - places_[p]).norm(); };
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  lengths[kStartPlace] = 0.0;
-  open.push({to_goal(kStartPlace), kStartPlace});
+  open.push({0.0, 0.0, kStartPlace, kStartPlace});
   while (!done[kGoalPlace]) {
     if (open.empty() || clock.is_over()) return std::nullopt;
-    const std::uint32_t from = open.top().second;
+    const auto [estimate, length, from, here] = open.top();
     open.pop();
-    if (done[from]) continue;
-    done[from] = true;
+    // Most lines are never come to: zones are asked about the others alone.
+    if (done[here] || (here != kStartPlace && !is_allowed(places_[from], places_[here]))) continue;
+    done[here] = true;
+    before[here] = from;
     for (std::uint32_t to = 0; to < n; ++to) {
-      const double length = lengths[from] + (places_[to] - places_[from]).norm() + turn;
-      if (done[to] || length >= lengths[to] || left_out_.contains({from, to}) ||
-          !is_allowed(places_[from], places_[to]))
-        continue;
-      lengths[to] = length;
-      before[to] = from;
-      open.push({length + to_goal(to), to});
+      if (done[to] || left_out_.contains({here, to})) continue;
+      const double there = length + (places_[to] - places_[here]).norm() + turn;
+      open.push({there + (places_[kGoalPlace] - places_[to]).norm(), there, here, to});
     }
   }
   route_ = {kGoalPlace};
@@ -129,17 +124,17 @@ std::optional<std::vector<Pose>> OneWayRoutes::find(const StopClock& clock) {
   std::ranges::reverse(route_);
   std::vector<Vec2> route;
   for (const std::uint32_t place : route_) route.push_back(places_[place]);
-  shorten(route);
+  shorten(route, clock);
   return poses_over(route);
 }
 
-void OneWayRoutes::shorten(std::vector<Vec2>& route) const {
+void OneWayRoutes::shorten(std::vector<Vec2>& route, const StopClock& clock) const {
   double step = kFirstMove * (places_[kGoalPlace] - places_[kStartPlace]).norm();
   for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5)
     for (std::size_t count : {std::size_t{2}, std::size_t{1}})
       for (std::size_t i = 1; i + count < route.size(); ++i)
         for (const Vec2& by : {Vec2(step, 0.0), Vec2(-step, 0.0), Vec2(0.0, step), Vec2(0.0, -step)})
-          for (int again = 0; again < kMovesOfAStep && move(route, i, count, by);) ++again;
+          for (int again = 0; again < kMovesOfAStep && !clock.is_over() && move(route, i, count, by);) ++again;
 }
 
 bool OneWayRoutes::move(std::vector<Vec2>& route, std::size_t i, std::size_t count, const Vec2& by) const {

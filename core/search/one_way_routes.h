@@ -24,7 +24,8 @@ namespace arcway::internal {
 /// 4. Its places are moved, alone and two by two, as long as that makes it shorter and no obstacle gets in between.
 class OneWayRoutes {
  public:
-  /// O(edges of one-way zones). Many edges have fewer places each.
+  /// O(edges of one-way zones). Where these are more than 60, only some edges and corners have places; where they are
+  /// more than 1,000, none has.
   /// @param map  with one-way zones; must outlive this.
   OneWayRoutes(const Roadmap& map, const Pose& start, const Pose& goal);
 
@@ -38,10 +39,10 @@ class OneWayRoutes {
 
  private:
   void add_places(const Zone& zone, std::size_t every);
-  void add_corners(const Ring& ring);
+  void add_corners(const Ring& ring, std::size_t every);
   void add_crossings(const Zone& zone, const Vec2& place);
   [[nodiscard]] bool is_allowed(const Vec2& from, const Vec2& to) const;
-  void shorten(std::vector<Vec2>& route) const;
+  void shorten(std::vector<Vec2>& route, const StopClock& clock) const;
   // Moves `count` places, the i-th and those behind it, if that makes the route shorter.
   bool move(std::vector<Vec2>& route, std::size_t i, std::size_t count, const Vec2& by) const;
   [[nodiscard]] std::vector<Pose> poses_over(const std::vector<Vec2>& route) const;

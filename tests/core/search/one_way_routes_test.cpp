@@ -87,6 +87,22 @@ TEST(OneWayRoutes, AreOthersWithoutALineUntilNoneIsLeft) {
   EXPECT_GT(longest, 50.1);
 }
 
+TEST(OneWayRoutes, LeadAroundAZoneOfManyEdges) {
+  const World world = field(Polygon::regular({30.0, 20.0}, 10.0, 300), {kPi, 0.3});
+  const Roadmap map = test::lazy_map(world, Vehicle());
+  OneWayRoutes routes(map, kFrom, kTo);
+  const auto route = routes.find({});
+  ASSERT_TRUE(route);
+  expect_allowed(world, *route);
+  EXPECT_LE(length_of(*route), 60.0);
+}
+
+TEST(OneWayRoutes, AreNoneWhereEdgesAreTooMany) {
+  const World world = field(Polygon::regular({30.0, 20.0}, 10.0, 20000), {kPi, 0.3});
+  const Roadmap map = test::lazy_map(world, Vehicle());
+  EXPECT_FALSE(OneWayRoutes(map, kFrom, kTo).find({}));
+}
+
 TEST(OneWayRoutes, AreNotFoundWhenTheClockIsOver) {
   std::stop_source source;
   source.request_stop();
