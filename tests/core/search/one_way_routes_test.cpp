@@ -88,7 +88,7 @@ TEST(OneWayRoutes, AreOthersWithoutALineUntilNoneIsLeft) {
 }
 
 TEST(OneWayRoutes, LeadAroundAZoneOfManyEdges) {
-  const World world = field(Polygon::regular({30.0, 20.0}, 10.0, 300), {kPi, 0.3});
+  const World world = field(Polygon::regular({30.0, 20.0}, 10.0, 64), {kPi, 0.3});
   const Roadmap map = test::lazy_map(world, Vehicle());
   OneWayRoutes routes(map, kFrom, kTo);
   const auto route = routes.find({});
