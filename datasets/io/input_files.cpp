@@ -26,6 +26,9 @@ fs::path find_beside(const fs::path& path, const std::string& named) {
       file += ending;
       std::error_code error;
       const fs::file_status status = fs::status(file, error);
+      if (fs::is_fifo(status))  // nobody may ever write to it
+        throw FileError(path.string() + " needs another file: " + shortened(file.string(), kMostOfParser) +
+                        " is a pipe; write what comes out of it to a file");
       if (fs::exists(status) && !fs::is_directory(status)) return file;
     }
   }

@@ -1,6 +1,7 @@
 #include "arcway/datasets/read_map.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -148,6 +149,15 @@ TEST_F(ReadMap, AScenarioBringsStartAndGoal) {
   EXPECT_EQ(error_of(scenario), scenario.string() + " needs another file: cannot read " +
                                     (folder_ / "maps/far/a.map").string() +
                                     ": No such file or directory, nor is a.map beside it");
+}
+
+TEST_F(ReadMap, APipeBesideTheFileIsRefused) {
+  put("a.yaml",
+      "image: a.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
+  ASSERT_EQ(::mkfifo((folder_ / "a.pgm").c_str(), 0600), 0);
+  EXPECT_EQ(error_of(folder_ / "a.yaml"), (folder_ / "a.yaml").string() +
+                                              " needs another file: " + (folder_ / "a.pgm").string() +
+                                              " is a pipe; write what comes out of it to a file");
 }
 
 TEST_F(ReadMap, ErrorsNameTheFile) {
