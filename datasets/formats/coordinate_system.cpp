@@ -55,6 +55,7 @@ CoordinateUnit unit_of_code(int code) {
   if (is_one_of(code, kMercatorCodes)) return CoordinateUnit::kMercator;
   if (is_one_of(code, kStretchedCodes) || lies_in(code, kEsriWorld)) return CoordinateUnit::kStretched;
   if (is_one_of(code, kGradCodes)) return CoordinateUnit::kGrads;
+  if (is_one_of(code, kGeocentricCodes)) return CoordinateUnit::kGeocentric;
   if (lies_in(code, kGeographicCodes) || lies_in(code, kEsriGeographic)) return CoordinateUnit::kDegrees;
   if (lies_in(code, kOtherUnitCodes)) return CoordinateUnit::kOtherUnit;
   if (lies_in(code, kLaterCodes)) return CoordinateUnit::kUnknown;
@@ -87,6 +88,7 @@ std::optional<CoordinateUnit> unit_of_wkt(std::string_view text) {
   if (has_any(text, {"projcs[", "projcrs[", "projectedcrs["}))
     return mercator_of(text).value_or(unit_of_planar_wkt(text));
   if (has_any(text, {"local_cs[", "engcrs[", "engineeringcrs["})) return unit_of_planar_wkt(text);
+  if (has_any(text, {"geoccs[", "cs[cartesian,3", "cs[cartesian, 3"})) return CoordinateUnit::kGeocentric;
   if (has_any(text, {"geogcs[", "geogcrs[", "geographiccrs[", "geodcrs[", "geodeticcrs["}))
     return has_any(text, {"unit[\"grad\"", "unit[\"gon\""}) ? CoordinateUnit::kGrads : CoordinateUnit::kDegrees;
   return std::nullopt;
@@ -102,7 +104,7 @@ std::optional<CoordinateUnit> unit_of_proj(std::string_view text) {
     return CoordinateUnit::kStretched;
   if (has_any(text, {"units=us-ft", "units=ft", "units=km", "units=yd", "units=ch", "units=link", "to_meter="}))
     return CoordinateUnit::kOtherUnit;
-  return has_any(text, {"proj=geocent", "proj=cart"}) ? CoordinateUnit::kUnknown : CoordinateUnit::kMeters;
+  return has_any(text, {"proj=geocent", "proj=cart"}) ? CoordinateUnit::kGeocentric : CoordinateUnit::kMeters;
 }
 
 // The names of EPSG: projected systems are "datum / projection"; geographic ones have that of the datum alone.

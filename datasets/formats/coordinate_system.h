@@ -14,6 +14,7 @@ enum class CoordinateUnit {
   kMercator,     ///< Mercator's projection of an ellipsoid, 1 unit a meter at the equator
   kStretched,    ///< another projection of the globe that does not keep lengths
   kOtherUnit,    ///< a plane in feet, yards, chains, links or kilometers
+  kGeocentric,   ///< meters in space, along axes through the middle of the globe
   kUnknown       ///< a name that is not known
 };
 

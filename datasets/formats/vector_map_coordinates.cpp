@@ -114,6 +114,10 @@ void VectorMapBuilder::warn_of_system(const Box& box) {
     case CoordinateUnit::kOtherUnit:
       return warn("", "coordinates are not in meters" + named +
                           "; they are taken as meters. Convert the file to a system in meters");
+    case CoordinateUnit::kGeocentric:
+      fail("", "coordinates are positions in space" + named +
+                   ", along axes through the middle of the globe; no plane shows them. Convert the file to a local "
+                   "system, as UTM");
     case CoordinateUnit::kUnknown:
       map_.frame = CoordinateFrame::kUnstated;
       return warn("", "the coordinate system" + named +

@@ -196,6 +196,8 @@ TEST(GeoJson, AnOldReferenceSystemSaysWhatCoordinatesAre) {
   EXPECT_NE(warning(crs("EPSG:3857")).find("units, which are taken as meters"), std::string::npos);
   EXPECT_NE(warning(crs("EPSG:2263")).find("coordinates are not in meters (\"EPSG:2263\")"), std::string::npos);
   EXPECT_NE(warning(crs("hall 7")).find("the coordinate system (\"hall 7\") is not known here"), std::string::npos);
+  EXPECT_NE(geojson_error(collection(large, crs("EPSG:4978"))).find("positions in space (\"EPSG:4978\")"),
+            std::string::npos);
   EXPECT_TRUE(read_geojson(collection(large, crs("NAD83")), "w", {.planar = true}).warnings.empty());
   // As PostGIS writes it.
   const std::string inside =
