@@ -16,10 +16,13 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-// Parts between separators; commas, semicolons and tabs may stand beside an empty part.
-Fields fields_of(std::string_view line) {
-  const bool marks = line.find_first_of(",;\t") != std::string_view::npos;
-  const std::string_view separators = marks ? ",;\t" : " ";
+constexpr std::string_view kMarks = ",;\t";
+constexpr std::string_view kMarksBesideDecimalCommas = ";\t";
+
+// Parts between separators: marks, which may stand beside an empty part, or blanks where there are none.
+Fields fields_of(std::string_view line, std::string_view separating = kMarks) {
+  const bool marks = line.find_first_of(separating) != std::string_view::npos;
+  const std::string_view separators = marks ? separating : " ";
   Fields fields;
   while (true) {
     const std::size_t end = std::min(line.find_first_of(separators), line.size());
@@ -31,6 +34,11 @@ Fields fields_of(std::string_view line) {
     if (end == line.size()) return fields;
     line.remove_prefix(end + 1);
   }
+}
+
+// Whether a line that names columns is one of a table whose numbers may have decimal commas.
+bool allows_decimal_commas(std::string_view header) {
+  return header.find(';') != std::string_view::npos && header.find(',') == std::string_view::npos;
 }
 
 bool is_nan(const std::string& field) { return detail::lowercase(field) == "nan"; }
@@ -85,16 +93,19 @@ class VertexReader {
       const std::string place = text_.place();
       const std::string_view whole = text_.rest_of_line();
       if (whole.starts_with('#')) continue;
-      const Fields fields = fields_of(whole);
+      const Fields fields = fields_of(whole, marks_);
       if (std::ranges::all_of(fields, [](const std::string& field) { return field.empty() || is_nan(field); })) {
         end_polygon();
         continue;
       }
-      if (std::exchange(first, false) && read_header(fields)) continue;
+      if (std::exchange(first, false) && read_header(fields)) {
+        if (allows_decimal_commas(whole)) marks_ = kMarksBesideDecimalCommas;
+        continue;
+      }
       if (fields.size() != columns_.count)
         throw FormatError(place + ": expected " + std::to_string(columns_.count) + " numbers, found " +
                           std::to_string(fields.size()) + " in " + detail::quoted(whole) +
-                          "; a first line as \"id,x,y\" names columns");
+                          "; a first line as \"id,x,y\" names columns, one as \"id;x;y\" allows decimal commas");
       add(fields, line, place);
     }
     end_polygon();
@@ -113,7 +124,9 @@ class VertexReader {
   }
   void add(const Fields& fields, std::size_t line, const std::string& place) {
     const auto number = [&](std::size_t column) {
-      const std::optional<double> value = read_number(fields[column]);
+      std::string digits = fields[column];
+      if (marks_ == kMarksBesideDecimalCommas) std::ranges::replace(digits, ',', '.');
+      const std::optional<double> value = read_number(digits);
       if (!value) throw FormatError(place + ": expected a number, found " + detail::quoted(fields[column]));
       return *value;
     };
@@ -133,6 +146,7 @@ class VertexReader {
   detail::TextScanner text_;
   detail::VectorMapBuilder map_;
   Columns columns_;
+  std::string_view marks_ = kMarks;
   Ring positions_;  // positions of the polygon so far
   std::string place_, group_;
 };

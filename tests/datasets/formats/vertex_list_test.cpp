@@ -31,12 +31,22 @@ TEST(VertexList, ReadsPolygonsHoweverTheyAreParted) {
   EXPECT_EQ(vertices_of("0,0\n1,0\n1,1\n\n5,5\n6,5\n6,6\n").places, (std::vector<std::string>{"line 1", "line 5"}));
 }
 
+TEST(VertexList, ReadsDecimalCommasBelowAHeaderWithSemicolons) {
+  EXPECT_EQ(vertices_of("x;y\n0,5;0\n1,25;0\n1;1,75\n").obstacles.at(0).outer,
+            (Ring{{0.5, 0.0}, {1.25, 0.0}, {1.0, 1.75}}));
+  EXPECT_EQ(vertices_of("x;y\n0.5;0\n1.25;0\n1;1.75\n").obstacles.at(0).outer,
+            (Ring{{0.5, 0.0}, {1.25, 0.0}, {1.0, 1.75}}));
+  EXPECT_EQ(vertices_error("x;y\n0;0\n1,000,5;0\n1;1\n"), "map.csv: line 3: expected a number, found \"1,000,5\"");
+  EXPECT_NE(vertices_error("0,5;0\n1,25;0\n1;1,75\n").find("allows decimal commas"), std::string::npos);
+}
+
 TEST(VertexList, SaysWhatItLeavesOut) {
   EXPECT_EQ(vertices_of("x,y,z\n0,0,7\n1,0,7\n1,1,7\n").warnings.at(0),
             "map.csv: line 1: columns that are not read: \"z\"");
   EXPECT_NE(vertices_of("lat,lon\n48,8\n48,9\n49,9\n").warnings.at(0).find("are degrees"), std::string::npos);
   EXPECT_EQ(vertices_error("0,0\n1,0\n1\n"),
-            "map.csv: line 3: expected 2 numbers, found 1 in \"1\"; a first line as \"id,x,y\" names columns");
+            "map.csv: line 3: expected 2 numbers, found 1 in \"1\"; a first line as \"id,x,y\" names columns, "
+            "one as \"id;x;y\" allows decimal commas");
   EXPECT_EQ(vertices_error("0,0\n1,b\n"), "map.csv: line 2: expected a number, found \"b\"");
   EXPECT_NE(vertices_error("0,0\n1,0\n").find("line 1: needs at least 3 different positions"), std::string::npos);
 }
