@@ -65,7 +65,7 @@ TEST(CoordinateSystem, KnowsPlanarSystemsAndTheirUnits) {
   expect(CoordinateUnit::kStretched, {"EPSG:4087", "EPSG:32662", "EPSG:8857", "ESRI:54009", "+proj=eqc"});
   expect(CoordinateUnit::kGeocentric,
          {"EPSG:4978", "urn:ogc:def:crs:EPSG::4936", "+proj=geocent +datum=WGS84",
-          R"(GEOCCS["WGS 84",UNIT["metre",1]])", R"(GEODCRS["WGS 84",CS[Cartesian,3],LENGTHUNIT["metre",1]])"});
+          R"(GEOCCS["WGS 84",UNIT["meter",1]])", R"(GEODCRS["WGS 84",CS[Cartesian,3],LENGTHUNIT["meter",1]])"});
   expect(CoordinateUnit::kUnknown, {"", "frame of the hall", "EPSG:99999", "IGNF:LAMB93", "EPSG:12", "EPSG:10176"});
 }
 
