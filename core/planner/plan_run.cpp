@@ -16,8 +16,9 @@
 
 namespace arcway::internal {
 
-PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result)
-    : query_(query),
+PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result, Scope scope)
+    : scope_(scope),
+      query_(query),
       map_(query.map()),
       search_options_{query.options.heuristic, query.clock, query.request.cusp_cost},
       tree_poses_(query.options.maneuver_poses > 0 ? query.limits.tree_poses : 0),
@@ -43,6 +44,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
 }
 
 void PlanRun::follow(std::span<const StrategyRow> rows) {
+  rows_ = rows;
   for (const StrategyRow& row : rows) {
     if (has_proof_ || result_.interrupted) break;
     if (!holds(row.when)) continue;
@@ -81,6 +83,7 @@ bool PlanRun::has_forward_path() const {
 
 bool PlanRun::holds(const When& when) {
   const PlanRequest& request = query_.request;
+  if (when.whole && scope_ == Scope::kPart) return false;
   if (when.driving == Driving::kForwards && request.reverse) return false;
   const bool is_there = found_ && best().empty();
   if (when.driving == Driving::kBothGears && (!request.reverse || is_there)) return false;
@@ -251,7 +254,7 @@ void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t sh
 }
 
 void PlanRun::keep_in_both_gears() {
-  if (!reversing_ || !reversing_->path()) return;
+  if (!reversing_ || !reversing_->path() || std::exchange(is_gear_path_kept_, true)) return;
   keep(Path(*reversing_->path()), 0, kBothGearsTrials, RefineMode::kBothGears);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,14 +40,17 @@ struct PlanWorkspace {
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
   PointDistance::Workspace point;
   HeadingSet headings;
+  std::unique_ptr<PlanWorkspace> part;  // of a query for a part of the path, once there was one
 };
 
 /// One query, from its first path to its best one: takes the rows of a strategy one by one, refines the paths that they
 /// find, and keeps the cheapest. What that took is added to the result's statistics.
 class PlanRun {
  public:
+  /// What a query is for: see When::whole.
+  enum class Scope { kWhole, kPart };
   /// All arguments must outlive this.
-  PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result);
+  PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result, Scope scope = Scope::kWhole);
 
   /// Takes each row whose condition holds, until there is a proof that no path exists, or the clock is over.
   void follow(std::span<const StrategyRow> rows);
@@ -128,6 +132,7 @@ class PlanRun {
   void take(const JoinBetweenGears& step, double trials);
   void take(const GrowGearTrees& step, double trials);
   void take(const GrowNarrowGearTrees& step, double trials);
+  void take(const PlanParts& step, double trials);
 
   [[nodiscard]] const PlanMaps& maps_on(On on) const;
   [[nodiscard]] ForwardSearch& forward_search(On on);
@@ -143,6 +148,9 @@ class PlanRun {
   // Shortens a path of many motions, and keeps it.
   void keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   void keep_in_both_gears();
+  // Plans a part of the best path again, and keeps the path with what is found.
+  // @return whether that was tried and brought nothing.
+  bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);
   // Refines a path, unless that promises nothing, and keeps it if it is one of the two cheapest.
   // `way`: see SearchResult.
   Times keep(Path&& path, std::uint64_t way, double trials, RefineMode mode);
@@ -164,6 +172,8 @@ class PlanRun {
   }
 
   const Stopwatch total_;
+  const Scope scope_;
+  std::span<const StrategyRow> rows_;
   const QueryContext& query_;
   const Roadmap& map_;
   SearchOptions search_options_;
@@ -193,6 +203,8 @@ class PlanRun {
   bool is_path_refused_ = false;                     // a path of a slimmer body could not be pushed free
   bool are_trees_vain_ = false;                      // trees of a slimmer body found no path either
   std::optional<ReversingSearch> reversing_;
+  bool is_gear_path_kept_ = false;
+  bool is_narrow_ = false;  // a path was found by trees of a slim body, or by those in both gears for narrow places
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };
 

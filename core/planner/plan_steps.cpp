@@ -178,6 +178,7 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const bool is_hopeless = end.surroundings != Surroundings::kOpen || end.ran_dry;
   is_path_refused_ = end.refused > 0;
   are_trees_vain_ = !is_path_refused_ && is_hopeless;
+  is_narrow_ = is_narrow_ || (!has_path() && grown.search.path);
   if (grown.search.path) keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
 }
 
@@ -386,6 +387,7 @@ void PlanRun::take(const GrowGearTrees& step, double) {
 void PlanRun::take(const GrowNarrowGearTrees& step, double) {
   search([&] { return reversing_search().grow_narrow_gear_trees(step.poses); });
   only_narrow_gears_ = reversing_->path().has_value();
+  is_narrow_ = is_narrow_ || only_narrow_gears_;
 }
 
 }  // namespace arcway::internal

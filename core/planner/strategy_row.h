@@ -39,6 +39,7 @@ struct When {
   Driving driving = Driving::kAny;
   Radii radii = Radii::kAny;
   Care care = Care::kAny;
+  bool whole = false;             ///< the query is not one of PlanParts, of which a path is known
   bool refines = false;           ///< paths are refined
   bool has_speed_limits = false;  ///< zones of the map limit the speed
   bool has_one_way = false;       ///< zones of the map limit directions
@@ -181,12 +182,25 @@ struct GrowGearTrees {
 struct GrowNarrowGearTrees {
   std::size_t poses;
 };
+/// A part of a path, in shares of its travel time.
+struct PathPart {
+  double begin, end;
+};
+/// Plans parts of the best path again, each between the joints next to its ends, with the speeds there. It does so
+/// where a path was found by trees of a slim body, or by those in both gears for narrow places. Such paths are seldom
+/// the fastest, and short ways are found more easily.
+struct PlanParts {
+  std::span<const PathPart> parts;  ///< in order; each is one of the best path by then
+  double gap;                       ///< least gap of a part, and of the best path
+  double tree_share;                ///< of PlanLimits::tree_poses
+  int most_failed;                  ///< number of parts in a row that bring nothing
+};
 
 using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
                           JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
                           GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers,
                           TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii,
-                          RefineBest, JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees>;
+                          RefineBest, JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, PlanParts>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

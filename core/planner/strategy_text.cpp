@@ -125,6 +125,9 @@ struct StepText {
   std::string operator()(const GrowGearTrees& step) const {
     return "grow trees in both gears: " + std::to_string(step.poses) + " poses";
   }
+  std::string operator()(const PlanParts& step) const {
+    return "plan " + std::to_string(step.parts.size()) + " parts of the path again";
+  }
   std::string operator()(const GrowNarrowGearTrees& step) const {
     return "grow trees in both gears for narrow places: " + std::to_string(step.poses) + " poses";
   }

@@ -54,6 +54,15 @@ TEST(PlanSteps, LookForAFasterPathByTrees) {
   EXPECT_LT(grown.travel_time, 0.5 * graph.travel_time);
 }
 
+// Trees for narrow places take what they find first.
+TEST(PlanSteps, PlanPartsOfANarrowWayAgain) {
+  const Narrow way{"driven/rooms/r5/g2/c50/s3055", "parts planned again", true};
+  const PlanResult in_parts = plan(way, {}), whole = plan(way, {way.row});
+  ASSERT_TRUE(in_parts.solved() && whole.solved());
+  EXPECT_LT(in_parts.travel_time, 0.95 * whole.travel_time);
+  EXPECT_GT(in_parts.statistics.nodes_expanded, whole.statistics.nodes_expanded);
+}
+
 class NarrowWay : public testing::TestWithParam<Narrow> {};
 
 TEST_P(NarrowWay, IsFoundByItsRowAlone) {

@@ -1,0 +1,89 @@
+// The step of PlanRun that plans parts of the best path again.
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "core/motion/travel_time_lower_bound.h"
+#include "core/planner/plan_run.h"
+
+namespace arcway::internal {
+
+namespace {
+
+// The joint of a path that is passed next to a time.
+std::size_t joint_next_to(double time, std::span<const double> durations) {
+  for (std::size_t i = 0; i < durations.size(); ++i) {
+    if (time <= 0.5 * durations[i]) return i;
+    time -= durations[i];
+  }
+  return durations.size();
+}
+
+double signed_speed(double speed, Gear gear) { return gear == Gear::kForward ? speed : 0.0 - speed; }
+
+bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kReverse; }
+
+}  // namespace
+
+void PlanRun::take(const PlanParts& step, double trials) {
+  keep_in_both_gears();
+  if (!is_narrow_) return;
+  int failed = 0;
+  for (const PathPart& part : step.parts) {
+    if (result_.interrupted || failed == step.most_failed || !has_gap(best_cost_, step.gap, true)) return;
+    failed = plan_in_vain(part, step, trials) ? failed + 1 : 0;
+  }
+}
+
+bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double trials) {
+  const std::span<const PathSegment> whole = best();
+  const double time = travel_time(best());
+  const SpeedProfile& profile = workspace_.profile;
+  const std::size_t from = joint_next_to(part.begin * time, profile.durations);
+  const std::size_t to = joint_next_to(part.end * time, profile.durations);
+  if (to <= from || to - from == whole.size()) return false;
+
+  const auto before = whole.first(from), behind = whole.subspan(to);
+  PlanRequest request = query_.request;
+  if (!before.empty()) {
+    request.start = whole[from].start;
+    request.start_speed = signed_speed(profile.speeds[from], whole[from].gear);
+  }
+  if (!behind.empty()) {
+    request.goal = behind.front().start;
+    request.goal_speed = signed_speed(profile.speeds[to], whole[to - 1].gear);
+  }
+  if (request.max_gear_changes) {
+    const std::size_t others = cusps_of(before) + cusps_of(behind), most = *request.max_gear_changes;
+    request.max_gear_changes = static_cast<std::uint32_t>(most - std::min(most, others));
+  }
+  PlanLimits limits = query_.limits;
+  limits.tree_poses = static_cast<std::size_t>(step.tree_share * static_cast<double>(limits.tree_poses));
+  const QueryContext query{query_.maps, query_.options, request, limits, query_.clock};
+  PlanResult planned;
+  planned.lower_bound =
+      travel_time_lower_bound(request.start, request.goal, (request.goal.position() - request.start.position()).norm(),
+                              map_.vehicle, request.reverse, query.ends(), map_.speed_zones.get());
+  const auto durations = std::span(profile.durations).subspan(from, to - from);
+  if (std::reduce(durations.begin(), durations.end()) <= (1.0 + step.gap) * planned.lower_bound) return false;
+
+  if (!workspace_.part) workspace_.part = std::make_unique<PlanWorkspace>();
+  PlanRun run(query, *workspace_.part, planned, Scope::kPart);
+  run.follow(rows_);
+  result_.statistics += planned.statistics;
+  result_.interrupted = result_.interrupted || planned.interrupted;
+  if (!run.found()) return true;
+  Path joined(before.begin(), before.end());
+  joined.insert(joined.end(), run.best().begin(), run.best().end());
+  joined.insert(joined.end(), behind.begin(), behind.end());
+  if (cost_of(joined) >= best_cost_) return true;
+  const RefineMode mode = std::ranges::any_of(joined, is_reversing) ? RefineMode::kBothGears : RefineMode::kForwards;
+  keep(std::move(joined), 0, trials, mode);
+  return false;
+}
+
+}  // namespace arcway::internal
