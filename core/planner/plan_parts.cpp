@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -62,7 +63,7 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double t
     request.max_gear_changes = static_cast<std::uint32_t>(most - std::min(most, others));
   }
   PlanLimits limits = query_.limits;
-  limits.tree_poses = static_cast<std::size_t>(step.tree_share * static_cast<double>(limits.tree_poses));
+  limits.tree_poses = static_cast<std::uint32_t>(step.tree_share * static_cast<double>(limits.tree_poses));
   const QueryContext query{query_.maps, query_.options, request, limits, query_.clock};
   PlanResult planned;
   planned.lower_bound =
