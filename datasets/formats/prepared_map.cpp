@@ -26,7 +26,7 @@ constexpr std::string_view kMagic =
     "\x89"
     "ARCWAY\n";
 constexpr std::uint32_t kByteOrder = 0x01020304;
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kHasBounds = 1;
 constexpr std::uint64_t kAlignment = 64;
 constexpr std::uint32_t kMaxSections = 64;

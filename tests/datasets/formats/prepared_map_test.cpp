@@ -110,7 +110,7 @@ TEST(PreparedMap, SaysWhatIsWrongAndWhere) {
   std::string other = bytes;
   other[12] = 9;
   EXPECT_EQ(complaint_about(other),
-            "m.arcway: byte 12: version 9, this program reads version 1; prepare the map again");
+            "m.arcway: byte 12: version 9, this program reads version 2; prepare the map again");
   other = bytes;
   std::swap(other[8], other[11]);
   std::swap(other[9], other[10]);
