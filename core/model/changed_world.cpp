@@ -35,7 +35,10 @@ void World::Data::begin_history() {
 
 void World::Data::index_obstacles() const {
   std::call_once(origin->indexed, [this] {
-    origin->convex = std::make_shared<const HugeVector<VertexId>>(convex_vertices);
+    HugeVector<VertexId> all;
+    for (VertexId v = 0; v < vertices.size(); ++v)
+      if (convex[v]) all.push_back(v);
+    origin->convex = std::make_shared<const HugeVector<VertexId>>(std::move(all));
     if (obstacle_count() == 0) return;
     origin->obstacles = BoxTree(std::span(boxes).first(obstacle_count()));
     origin->first_vertex.assign(region_starts.begin(), region_starts.begin() + obstacle_count());
@@ -217,7 +220,7 @@ void World::Data::follow(const Data& old, const VertexMap& change, const std::ve
   history = WorldHistory(old.history, change, {}, origin->convex);
   const std::vector<VertexId> flipped = update_covered(places, old, change);
   history = WorldHistory(old.history, change, flipped, origin->convex);
-  list_convex_vertices(history.common_with(of_arrays));
+  list_convex_vertices(history.common_with(of_arrays), history.flipped_from(of_arrays));
   const auto [first, last] = added_regions();
   if (!are_few(last - first, obstacle_count())) begin_history();
 }

@@ -12,6 +12,34 @@ namespace arcway {
 
 using namespace internal;
 
+namespace {
+
+// Leaves out some of a list. Both ascend.
+void leave_out(std::span<const VertexId> gone, HugeVector<VertexId>& list) {
+  if (gone.empty()) return;
+  auto from = std::ranges::lower_bound(list, gone.front()), to = from;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    const auto end = i + 1 < gone.size() ? std::lower_bound(from, list.end(), gone[i + 1]) : list.end();
+    to = std::move(from + 1, end, to);
+    from = end;
+  }
+  list.erase(to, list.end());
+}
+
+// Puts others into a list. Both ascend.
+void put_in(std::span<const VertexId> come, HugeVector<VertexId>& list) {
+  auto end = static_cast<std::ptrdiff_t>(list.size());
+  list.resize(list.size() + come.size());
+  for (std::size_t i = come.size(); i-- > 0;) {
+    const auto at = std::lower_bound(list.begin(), list.begin() + end, come[i]) - list.begin();
+    std::move_backward(list.begin() + at, list.begin() + end, list.begin() + end + static_cast<std::ptrdiff_t>(i + 1));
+    list[static_cast<std::size_t>(at) + i] = come[i];
+    end = at;
+  }
+}
+
+}  // namespace
+
 std::uint64_t World::Data::next_stamp() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -81,8 +109,13 @@ void World::Data::derive_edges() {
   }
 }
 
-void World::Data::list_convex_vertices(VertexId same) {
+void World::Data::list_convex_vertices(VertexId same, std::span<const VertexId> flipped) {
   convex_vertices.erase(std::ranges::lower_bound(convex_vertices, same), convex_vertices.end());
+  std::vector<VertexId> gone, come;
+  for (const VertexId v : flipped)
+    if (v < same && convex[v]) (covered[v] ? gone : come).push_back(v);
+  leave_out(gone, convex_vertices);
+  put_in(come, convex_vertices);
   for (VertexId v = same; v < vertices.size(); ++v)
     if (is_graph_vertex(v)) convex_vertices.push_back(v);
 }

@@ -59,7 +59,7 @@ struct World::Data {
     std::once_flag indexed;
     BoxTree obstacles;                                   // of the first world, without its bounds
     std::vector<VertexId> first_vertex;                  // of each of these obstacles
-    std::shared_ptr<const HugeVector<VertexId>> convex;  // graph vertices of the first world
+    std::shared_ptr<const HugeVector<VertexId>> convex;  // convex vertices of the first world, covered or not
   };
   std::shared_ptr<Origin> origin = std::make_shared<Origin>();
 
@@ -103,8 +103,9 @@ struct World::Data {
   void sort_contacts();
   /// What follows at once from vertices and links, for all vertices that have no edges yet.
   void derive_edges();
-  /// @param same  number of first vertices for which the list is right.
-  void list_convex_vertices(VertexId same = 0);
+  /// @param same  number of first vertices for which the list is right but for some.
+  /// @param flipped  these, ascending, and perhaps others: to be added or left out.
+  void list_convex_vertices(VertexId same = 0, std::span<const VertexId> flipped = {});
 
   // Which vertices lie inside of a region.
 

@@ -17,18 +17,16 @@ WorldHistory::WorldHistory(const WorldHistory& before, const VertexMap& change, 
 }
 
 VertexId WorldHistory::common_with(const WorldHistory& other) const {
-  if (!has_origin_of(other)) return 0;
-  VertexId common = map_.common_with(other.map_);
-  std::vector<VertexId> flipped_in_one;
-  std::ranges::set_symmetric_difference(flipped_, other.flipped_, std::back_inserter(flipped_in_one));
-  for (const VertexId v : flipped_in_one)
-    if (const VertexId now = map_.after(v); now != kNone) common = std::min(common, now);
-  return common;
+  return has_origin_of(other) ? map_.common_with(other.map_) : 0;
 }
 
-bool WorldHistory::differs_within(VertexId first, VertexId last) const {
-  const auto at = std::ranges::lower_bound(flipped_, first);
-  return at != flipped_.end() && *at < last;
+std::vector<VertexId> WorldHistory::flipped_from(const WorldHistory& other) const {
+  std::vector<VertexId> flipped_in_one, found;
+  if (!has_origin_of(other)) return found;
+  std::ranges::set_symmetric_difference(flipped_, other.flipped_, std::back_inserter(flipped_in_one));
+  for (const VertexId v : flipped_in_one)
+    if (const VertexId now = map_.after(v); now != kNone) found.push_back(now);
+  return found;
 }
 
 }  // namespace arcway::internal

@@ -23,23 +23,24 @@ class WorldHistory {
   /// After one more change.
   /// @param flipped  vertices after the change that were there before, but covered then and not now, or the other way
   ///   round.
-  /// @param convex   graph vertices of the origin, ascending.
+  /// @param convex   convex vertices of the origin, ascending.
   WorldHistory(const WorldHistory& before, const VertexMap& change, const std::vector<VertexId>& flipped,
                std::shared_ptr<const HugeVector<VertexId>> convex);
 
   /// From the origin to the world.
   [[nodiscard]] const VertexMap& map() const { return map_; }
 
-  /// A number of first vertices that two worlds have in common, with their positions, edges and whether they are graph
-  /// vertices. 0 if they have different origins.
+  /// A number of first vertices that two worlds have in common, with their positions and edges. 0 if they have
+  /// different origins.
   [[nodiscard]] VertexId common_with(const WorldHistory& other) const;
+  /// The vertices that the origin has as well and that are covered in one of the two worlds only, ascending. None if
+  /// the two have different origins.
+  [[nodiscard]] std::vector<VertexId> flipped_from(const WorldHistory& other) const;
 
   /// Whether two worlds have one origin.
   [[nodiscard]] bool has_origin_of(const WorldHistory& other) const { return origin_ == other.origin_ && origin_ != 0; }
-  /// The graph vertices of the origin, ascending; null if nothing has changed since.
+  /// The convex vertices of the origin, covered or not, ascending; null if nothing has changed since.
   [[nodiscard]] const std::shared_ptr<const HugeVector<VertexId>>& convex_of_origin() const { return convex_; }
-  /// Whether a vertex among [first, last) of the origin is covered there and not here, or the other way round.
-  [[nodiscard]] bool differs_within(VertexId first, VertexId last) const;
 
  private:
   std::uint64_t origin_ = 0;

@@ -71,6 +71,7 @@ void CircleChange::match(const Circles& before, const Circles& after, const Vert
   const auto old = before.circles.all();
   const auto all = after.circles.all();
   for (std::uint32_t c = 0; c < old.size(); ++c) {
+    if (!before.circles.is_used(c)) continue;
     const VertexId v = map.after(old[c].vertex);
     const VertexId second = old[c].second == kNone ? kNone : map.after(old[c].second);
     if (v == kNone || !after.circles.has(v) || (second == kNone) != (old[c].second == kNone)) continue;

@@ -63,6 +63,7 @@ CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const SideRadii& s
       destinations_(world_, *rows_, circles_) {}
 
 HeadingSet CircleChecks::free_headings(std::uint32_t circle) const {
+  if (!circles_.is_used(circle)) return {};
   HeadingSet found = queries_.sweep->free_headings(body_on(circle));
   keep_at_vertex(circle, found);
   return found;

@@ -47,9 +47,9 @@ class CircleChecks {
   [[nodiscard]] const Destinations& destinations() const { return destinations_; }
 
   /// On a circle wider than the smallest only headings of a turn round its vertex: a right angle and some to either
-  /// side.
+  /// side. None on a circle that is not used.
   [[nodiscard]] HeadingSet free_headings(std::uint32_t circle) const;
-  /// Headings of several circles, in their order.
+  /// Headings of several circles that are used, in their order.
   void free_headings(std::span<const std::uint32_t> circles, std::span<HeadingSet> found) const;
 
   /// Bitangents that leave a circle at a free heading.

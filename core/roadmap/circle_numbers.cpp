@@ -8,49 +8,51 @@
 
 namespace arcway::internal {
 
-GraphVertices::GraphVertices(const World& world, std::shared_ptr<const HugeVector<VertexId>> of_origin)
+ConvexVertices::ConvexVertices(const World& world, std::shared_ptr<const HugeVector<VertexId>> of_origin)
     : of_origin_(std::move(of_origin)) {
   const auto vertices = static_cast<VertexId>(world.vertices().size());
   if (!of_origin_) {
-    append(world, {0, vertices}, kNone);
+    append_own(world, {0, vertices});
     return;
   }
   const VertexMap& map = world.history().map();
   VertexId here = 0, there = 0;
   for (const World::VertexRange& removed : map.removed()) {
     const VertexId end = here + (removed.first - there);
-    append(world, {here, end}, there);
+    append_of_origin({here, end}, there);
     here = end;
     there = removed.last;
   }
   const auto [first_added, end_added] = map.added();
-  append(world, {here, first_added}, there);
-  append(world, {first_added, end_added}, kNone);
-  append(world, {end_added, vertices}, there + (first_added - here));
+  append_of_origin({here, first_added}, there);
+  append_own(world, {first_added, end_added});
+  append_of_origin({end_added, vertices}, there + (first_added - here));
 }
 
-void GraphVertices::append(const World& world, const World::VertexRange& range, VertexId begin) {
-  const std::span<const VertexId> all = world.convex_vertices();
-  const auto first = std::ranges::lower_bound(all, range.first);
-  const auto last = std::lower_bound(first, all.end(), range.last);
+void ConvexVertices::append_of_origin(const World::VertexRange& range, VertexId begin) {
+  const auto first = std::ranges::lower_bound(*of_origin_, begin);
+  const auto last = std::lower_bound(first, of_origin_->end(), begin + (range.last - range.first));
   if (first == last) return;
-  const VertexId end = begin == kNone ? kNone : begin + (range.last - range.first);
-  if (begin != kNone && !world.history().differs_within(begin, end)) {
-    const auto at = std::ranges::lower_bound(*of_origin_, begin) - of_origin_->begin();
-    pieces_.push_back({count_, range.first, static_cast<std::size_t>(at), true, begin - range.first});
-  } else {
-    pieces_.push_back({count_, range.first, own_.size(), false, 0});
-    own_.insert(own_.end(), first, last);
-  }
+  const auto at = static_cast<std::size_t>(first - of_origin_->begin());
+  pieces_.push_back({count_, range.first, at, true, begin - range.first});
   count_ += static_cast<std::size_t>(last - first);
 }
 
-VertexId GraphVertices::operator[](std::size_t i) const {
+void ConvexVertices::append_own(const World& world, const World::VertexRange& range) {
+  const std::size_t at = own_.size();
+  for (VertexId v = range.first; v < range.last; ++v)
+    if (world.is_convex(v)) own_.push_back(v);
+  if (own_.size() == at) return;
+  pieces_.push_back({count_, range.first, at, false, 0});
+  count_ += own_.size() - at;
+}
+
+VertexId ConvexVertices::operator[](std::size_t i) const {
   const Piece& piece = *(std::ranges::upper_bound(pieces_, i, {}, &Piece::index) - 1);
   return array_of(piece)[piece.at + i - piece.index] - piece.shift;
 }
 
-std::size_t GraphVertices::index_of(VertexId v) const {
+std::size_t ConvexVertices::index_of(VertexId v) const {
   const auto next = std::ranges::upper_bound(pieces_, v, {}, &Piece::first);
   if (next == pieces_.begin()) return count_;
   const Piece& piece = *(next - 1);

@@ -14,12 +14,12 @@
 
 namespace arcway::internal {
 
-/// The graph vertices of a world, ascending, as pieces of the list of its origin: a list in memory that depends on what
-/// has changed since. Immutable.
-class GraphVertices {
+/// The convex vertices of a world, covered or not, ascending, as pieces of the list of its origin: a list in memory
+/// that depends on what has changed since. Immutable.
+class ConvexVertices {
  public:
-  /// @param of_origin  graph vertices of the origin of this world; null: they are not known, and all are copied.
-  GraphVertices(const World& world, std::shared_ptr<const HugeVector<VertexId>> of_origin);
+  /// @param of_origin  convex vertices of the origin of this world; null: they are not known, and all are listed.
+  ConvexVertices(const World& world, std::shared_ptr<const HugeVector<VertexId>> of_origin);
 
   [[nodiscard]] std::size_t size() const { return count_; }
   /// O(log changes).
@@ -36,8 +36,10 @@ class GraphVertices {
     bool is_of_origin;
     VertexId shift;  // of the array's vertices from those of this world
   };
-  // The vertices [first, last) of this world, as those of the origin that begin at a vertex; kNone: from none there.
-  void append(const World& world, const World::VertexRange& range, VertexId begin);
+  // The vertices [first, last) of this world, which are those of the origin that begin at a vertex.
+  void append_of_origin(const World::VertexRange& range, VertexId begin);
+  // Vertices that the origin has not.
+  void append_own(const World& world, const World::VertexRange& range);
   [[nodiscard]] std::span<const VertexId> array_of(const Piece& piece) const {
     return piece.is_of_origin ? std::span<const VertexId>(*of_origin_) : std::span<const VertexId>(own_);
   }
@@ -62,7 +64,7 @@ class CircleNumbers {
   [[nodiscard]] std::uint32_t after(std::uint32_t circle, const TurnCircles& after, const VertexMap& map) const;
 
  private:
-  GraphVertices convex_;
+  ConvexVertices convex_;
   std::size_t around_ = 0;         // number of circles around one vertex alone
   std::vector<TurnCircle> pairs_;  // around two vertices, by both
 };

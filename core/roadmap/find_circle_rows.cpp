@@ -44,7 +44,8 @@ void find_headings(const CircleChecks& checks, std::span<const std::uint32_t> ci
   executor.begin_stage("free headings");
   executor.for_ranges(circles.size(), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> chunk;
-    for (std::size_t i = begin; i < end; ++i) chunk.push_back(circles[order[i]]);
+    for (std::size_t i = begin; i < end; ++i)
+      if (checks.circles().is_used(circles[order[i]])) chunk.push_back(circles[order[i]]);
     std::vector<HeadingSet> found(chunk.size());
     checks.free_headings(chunk, found);
     for (std::size_t i = 0; i < chunk.size(); ++i) headings[chunk[i]] = std::move(found[i]);

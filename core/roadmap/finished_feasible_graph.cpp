@@ -8,9 +8,10 @@ namespace arcway::internal {
 FinishedFeasibleGraph::FinishedFeasibleGraph(std::shared_ptr<const CircleChecks> checks,
                                              std::vector<HeadingSet> headings, LinkRows rows)
     : FeasibleGraph(std::move(checks)), headings_(std::move(headings)), rows_(std::move(rows)) {
-  counts_.circles = circles().size();
+  counts_.circles = turn_circles().used_count();
   counts_.circles_blocked =
-      static_cast<std::uint64_t>(std::ranges::count_if(headings_, [](const HeadingSet& set) { return set.empty(); }));
+      static_cast<std::uint64_t>(std::ranges::count_if(headings_, [](const HeadingSet& set) { return set.empty(); })) -
+      (circles().size() - counts_.circles);
   for (const LinkCounts& row : rows_.counts) add_counts(row, counts_);
   counts_.kept = rows_.links.size();
 }

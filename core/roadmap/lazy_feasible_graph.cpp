@@ -68,8 +68,11 @@ bool LazyFeasibleGraph::is_kept(std::uint32_t circle, std::size_t index) const {
 
 FeasibleGraphCounts LazyFeasibleGraph::counts() const {
   FeasibleGraphCounts sum;
-  sum.circles = circles().size();
-  own_->headings.visit([&](std::size_t, const HeadingSet& set) { sum.circles_blocked += set.empty() ? 1 : 0; });
+  const TurnCircles& all = turn_circles();
+  sum.circles = all.used_count();
+  own_->headings.visit([&](std::size_t c, const HeadingSet& set) {
+    sum.circles_blocked += set.empty() && all.is_used(static_cast<std::uint32_t>(c)) ? 1 : 0;
+  });
   own_->rows.visit([&](std::size_t, const FoundLinks::Row& row) {
     add_counts(row.row.counts, sum);
     for (const std::atomic<LinkVerdict>& verdict : row.verdicts) {

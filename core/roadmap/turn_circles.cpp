@@ -67,15 +67,17 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
                          const Footprint& grown_body, const Executor& executor)
     : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
   constexpr std::size_t kGrain = 256;
-  const std::span<const VertexId> convex = world.convex_vertices();
+  HugeVector<VertexId> convex;
+  for (VertexId v = 0; v < first_.size(); ++v)
+    if (number(world, v, 2 * radius_count_ * convex.size())) convex.push_back(v);
   own_count_ = 2 * radius_count_ * convex.size();
+  unused_count_ = own_count_ - 2 * radius_count_ * world.convex_vertices().size();
   circles_.reserve(own_count_ + own_count_ / 8);  // for those of two vertices
   circles_.resize(own_count_);
   executor.begin_stage("turn circles");
   executor.for_ranges(convex.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      auto c = static_cast<std::uint32_t>(2 * radius_count_ * i);
-      first_[convex[i]] = c;
+      std::size_t c = 2 * radius_count_ * i;
       for (std::size_t k = 0; k < radius_count_; ++k)
         for (const Side side : {Side::kLeft, Side::kRight})
           circles_[c++] = turn_circle(world, convex[i], radii.of(side)[k], side, grown_body);
@@ -102,61 +104,58 @@ void TurnCircles::add_pairs(std::span<const TurnCircle> of_pairs) {
   group_more();
 }
 
-std::size_t TurnCircles::take_arrays(const WorldHistory& history, std::span<const VertexId> convex) {
+bool TurnCircles::number(const World& world, VertexId v, std::size_t next) {
+  first_[v] = kNone;
+  if (!world.is_convex(v)) return false;
+  first_[v] = static_cast<std::uint32_t>(next) | (world.is_covered(v) ? kCovered : 0);
+  return true;
+}
+
+void TurnCircles::take_arrays(const WorldHistory& history) {
   const std::unique_ptr<Arrays> gone = origin_.spare->take();
   origin_.room = std::make_unique<Arrays>(Arrays{history, {}, {}});
-  if (!gone) return 0;
+  if (!gone) return;
   circles_.swap(gone->circles);
   first_.swap(gone->first);
-  // Where the convex vertices are the same ones, so are the indices of circles.
-  const VertexId common = gone->history.common_with(history);
-  const auto done = static_cast<std::size_t>(std::ranges::lower_bound(convex, common) - convex.begin());
-  circles_.resize(2 * radius_count_ * done);
-  first_.resize(common);
-  return done;
+  // Where the vertices are the same ones, so are the indices of circles.
+  first_.resize(gone->history.common_with(history));
+  const auto is_convex = [](std::uint32_t first) { return first != kNone; };
+  const auto last = std::find_if(first_.rbegin(), first_.rend(), is_convex);
+  circles_.resize(last == first_.rend() ? 0 : (*last & ~kCovered) + 2 * radius_count_);
+  for (const VertexId v : history.flipped_from(gone->history))
+    if (v < first_.size() && is_convex(first_[v])) first_[v] ^= kCovered;
 }
 
 // Many parameters because it is made of two worlds.
 TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after,
                          const VisibilityRows& rows, std::span<const VertexId> may_differ, const CircleRadii& radii,
                          const Footprint& grown_body)
-    : radius_count_(before.radius_count_),
-      own_count_(2 * radius_count_ * after.convex_vertices().size()),
-      origin_(before.origin_) {
-  const std::span<const VertexId> convex = after.convex_vertices();
-  const std::size_t done = take_arrays(after.history(), convex);
-  circles_.reserve(own_count_ + own_count_ / 8);  // for those of two vertices
-  first_.resize(after.vertices().size(), kNone);
-  for (const VertexId v : convex.subspan(done)) {
-    first_[v] = static_cast<std::uint32_t>(circles_.size());
-    const VertexId was = change.before(v);
-    if (was != kNone && before.has(was)) {
-      const auto first = before.circles_.begin() + before.first_[was];
+    : radius_count_(before.radius_count_), origin_(before.origin_) {
+  take_arrays(after.history());
+  const std::size_t added = change.added().last - change.added().first;
+  const std::size_t most = before.own_count_ + 2 * radius_count_ * added;
+  circles_.reserve(most + most / 8);  // for those of two vertices
+  auto v = static_cast<VertexId>(first_.size());
+  first_.resize(after.vertices().size());
+  for (; v < first_.size(); ++v) {
+    const std::size_t next = circles_.size();
+    if (!number(after, v, next)) continue;
+    if (const VertexId was = change.before(v); was != kNone) {
+      const auto first = before.circles_.begin() + before.first_around(was, Side::kLeft);
       circles_.insert(circles_.end(), first, first + static_cast<std::ptrdiff_t>(2 * radius_count_));
-      for (std::uint32_t c = first_[v]; c < circles_.size(); ++c) circles_[c].vertex = v;
+      for (std::size_t c = next; c < circles_.size(); ++c) circles_[c].vertex = v;
     } else {
       for (std::size_t k = 0; k < radius_count_; ++k)
         for (const Side side : {Side::kLeft, Side::kRight})
           circles_.push_back(turn_circle(after, v, radii.of(side)[k], side, grown_body));
     }
   }
+  own_count_ = circles_.size();
+  unused_count_ = own_count_ - 2 * radius_count_ * after.convex_vertices().size();
 
-  const auto may_be_other = [&](VertexId v) { return std::ranges::binary_search(may_differ, v); };
-  // To look for circles of each vertex costs most of this on large maps.
-  const auto has_flipped = [](const WorldHistory& history) { return history.differs_within(0, kNone); };
-  const bool have_all = before.origin_.room && after.history().has_origin_of(before.origin_.room->history) &&
-                        !has_flipped(after.history()) && !has_flipped(before.origin_.room->history);
-  const auto is_there = [&](VertexId v) {
-    return v != kNone && ((have_all && !after.history().map().is_added(v)) || has(v));
-  };
-  std::vector<TurnCircle> of_pairs;
-  for (std::size_t c = before.own_count_; c < before.base_count_; ++c) {
-    TurnCircle circle = before.circles_[c];
-    circle.vertex = change.after(circle.vertex);
-    circle.second = change.after(circle.second);
-    if (!is_there(circle.vertex) || !is_there(circle.second)) continue;
-    if (!may_be_other(circle.vertex) || !may_be_other(circle.second)) of_pairs.push_back(circle);
-  }
+  const auto may_be_other = [&](VertexId u) { return std::ranges::binary_search(may_differ, u); };
+  std::vector<TurnCircle> of_pairs = pairs_left(before, change, after);
+  std::erase_if(of_pairs, [&](const TurnCircle& c) { return may_be_other(c.vertex) && may_be_other(c.second); });
   const auto first_new = static_cast<std::ptrdiff_t>(of_pairs.size());
   const PairRule rule{*this, after, radii, grown_body};
   rule.visit_within_reach(may_differ, [&](VertexId u, VertexId w) {
@@ -169,9 +168,31 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
   add_pairs(of_pairs);
 }
 
+std::vector<TurnCircle> TurnCircles::pairs_left(const TurnCircles& before, const VertexMap& change,
+                                                const World& after) const {
+  // To look for circles of each vertex costs most of this on large maps.
+  const WorldHistory& history = after.history();
+  const bool is_told = before.origin_.room && history.has_origin_of(before.origin_.room->history);
+  const std::vector<VertexId> flipped =
+      is_told ? history.flipped_from(before.origin_.room->history) : std::vector<VertexId>();
+  const auto is_there = [&](VertexId v) {
+    if (v == kNone) return false;
+    return is_told && !history.map().is_added(v) ? !std::ranges::binary_search(flipped, v) : has(v);
+  };
+  std::vector<TurnCircle> left;
+  for (std::size_t c = before.own_count_; c < before.base_count_; ++c) {
+    TurnCircle circle = before.circles_[c];
+    circle.vertex = change.after(circle.vertex);
+    circle.second = change.after(circle.second);
+    if (is_there(circle.vertex) && is_there(circle.second)) left.push_back(circle);
+  }
+  return left;
+}
+
 TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     : radius_count_(base.radius_count_),
       own_count_(base.own_count_),
+      unused_count_(base.unused_count_),
       first_(base.first_),
       base_count_(base.base_count_) {
   std::size_t count = base_count_ + added.around_vertices.size();

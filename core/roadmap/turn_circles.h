@@ -22,11 +22,12 @@
 
 namespace arcway::internal {
 
-/// The turn circles of a world. Each convex vertex has a left and a right circle of each radius. Two vertices at the
-/// end of a thin wall may be so close that the bitangent of their circles would lead backwards. Such neighbors in the
-/// reduced graph, passed on one side, share a left and a right circle around both. These have the smallest radii that
-/// lead around vertices. Left and right circles of a vertex have the same center only if the body reaches as far and
-/// turns as tightly to both sides. Immutable.
+/// The turn circles of a world. Each convex vertex has a left and a right circle of each radius. Those of a covered
+/// vertex are there for their indices only: which number a circle has depends on no obstacle around it, so that a
+/// change moves few of them. Two vertices at the end of a thin wall may be so close that the bitangent of their circles
+/// would lead backwards. Such neighbors in the reduced graph, passed on one side, share a left and a right circle
+/// around both. These have the smallest radii that lead around vertices. Left and right circles of a vertex have the
+/// same center only if the body reaches as far and turns as tightly to both sides. Immutable.
 class TurnCircles {
  public:
   /// @param radii  not empty.
@@ -37,7 +38,7 @@ class TurnCircles {
   /// The base circles of a world after a change, from those before it, of the same radii and body: the same as made
   /// anew. It asks for rows of close vertices that may have other neighbors only. It takes the arrays of circles that
   /// are gone and came from the same ones by changes. What follows the first vertex that only one of the two worlds has
-  /// is made again.
+  /// is made again; vertices that are covered in one of the two do not count.
   /// @param rows  of the world after the change.
   /// @param may_differ  see VisibilityRows::Changed.
   TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after, const VisibilityRows& rows,
@@ -55,13 +56,16 @@ class TurnCircles {
   /// All circles. Those of single vertices come first, all of one vertex together: index = first + 2 * radius index +
   /// (right ? 1 : 0). Circles of two vertices follow.
   [[nodiscard]] std::span<const TurnCircle> all() const { return circles_; }
-  /// Whether a vertex is convex and has circles.
-  [[nodiscard]] bool has(VertexId v) const { return first_[v] != kNone; }
+  /// Whether a vertex is a graph vertex: convex and not covered. Only its circles are used.
+  [[nodiscard]] bool has(VertexId v) const { return first_[v] < kCovered; }
+  [[nodiscard]] bool is_used(std::uint32_t c) const { return c >= own_count_ || has(circles_[c].vertex); }
+  /// The number of circles that are used.
+  [[nodiscard]] std::size_t used_count() const { return circles_.size() - unused_count_; }
   /// The circle of smallest radius around a convex vertex alone, as an index into all().
   [[nodiscard]] std::uint32_t first_around(VertexId v, Side side) const {
-    return first_[v] + (side == Side::kLeft ? 0 : 1);
+    return (first_[v] & ~kCovered) + (side == Side::kLeft ? 0 : 1);
   }
-  /// Calls visit(circle) for each circle around a convex vertex, alone or with another one.
+  /// Calls visit(circle) for each circle around a graph vertex, alone or with another one.
   template <class Visitor>
   void visit_around(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;
@@ -128,13 +132,20 @@ class TurnCircles {
     std::unique_ptr<Arrays> room;  // null if there was no change, and in copies
   };
   // Takes arrays of circles that are gone, and leaves what they have in common with those of a world after a change.
-  // Returns the number of convex vertices that are done.
-  std::size_t take_arrays(const WorldHistory& history, std::span<const VertexId> convex);
+  void take_arrays(const WorldHistory& history);
+  // Gives a vertex its number of circles, the next ones, if it is convex. Returns whether it is.
+  bool number(const World& world, VertexId v, std::size_t next);
+  // Circles around two vertices that both are graph vertices after a change as well, as they are numbered then.
+  [[nodiscard]] std::vector<TurnCircle> pairs_left(const TurnCircles& before, const VertexMap& change,
+                                                   const World& after) const;
   // Completes the base circles.
   void add_pairs(std::span<const TurnCircle> of_pairs);
   // Groups circles of [first, last) by the vertices that they refer to: those of some sides.
   [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::span<const Side> sides) const;
   void group_more();
+
+  // Beyond all circles.
+  static constexpr std::uint32_t kCovered = 0x80000000u;
 
   struct GapStraightRange {
     std::uint32_t exits, end;  // circles
@@ -144,10 +155,11 @@ class TurnCircles {
   }
 
   std::size_t radius_count_;
-  std::size_t own_count_ = 0;  // of circles around single vertices, where those around two begin
+  std::size_t own_count_ = 0;     // of circles around single vertices, where those around two begin
+  std::size_t unused_count_ = 0;  // of these, around covered vertices
   Origin origin_;
   HugeVector<TurnCircle> circles_;
-  HugeVector<std::uint32_t> first_;    // of each vertex's own circles, or kNone
+  HugeVector<std::uint32_t> first_;    // of each vertex's own circles, with kCovered if it is covered; or kNone
   std::array<VertexBuckets, 2> more_;  // left and right circles around vertices that are not a vertex's own
   VertexBuckets beside_;               // circles of gap straights
   std::size_t base_count_ = 0, first_of_gap_straights_ = 0;

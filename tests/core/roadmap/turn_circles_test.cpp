@@ -109,6 +109,8 @@ TEST(TurnCircles, AreAfterChangesThoseOfTheWorld) {
       EXPECT_EQ(one.center, other.center);
     }
     for (VertexId v = 0; v < after.vertices().size(); ++v) EXPECT_EQ(changed.has(v), anew.has(v));
+    EXPECT_EQ(changed.used_count(), anew.used_count());
+    EXPECT_EQ(anew.used_count(), 4 * after.convex_vertices().size() + step.pairs);
     EXPECT_EQ(std::ranges::count_if(anew.all(), [](const TurnCircle& c) { return c.second != kNone; }),
               static_cast<std::ptrdiff_t>(step.pairs));
     circles.emplace(std::move(changed));
