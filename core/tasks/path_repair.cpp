@@ -47,7 +47,8 @@ PathRepair::PathRepair(const ReplanQueries& queries, const Trajectory& motion, c
       motion_(motion),
       now_(now),
       reverse_(reverse),
-      begins_here_(are_same_pose(motion.segments().front().segment.start, now.pose)) {}
+      begins_here_(are_same_pose(motion.segments().front().segment.start, now.pose) &&
+                   motion.segments().front().speed_in == now.speed) {}
 
 std::optional<std::vector<TimedSegment>> PathRepair::find(const PlanLimits& limits) const {
   const Stopwatch watch;
@@ -76,6 +77,7 @@ PathRepair::Cut PathRepair::find_cut() const {
     }
     begin += segment.length;
   }
+  cut.begin = std::min(cut.begin, cut.end);  // nothing is blocked
   if (!begins_here_) cut.end = std::max(cut.end, nearest());
   return cut;
 }

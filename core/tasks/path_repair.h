@@ -14,7 +14,7 @@ namespace arcway::internal {
 /// these parts, with the speeds there. Such a plan is short, and is found where a whole one is not in time.
 class PathRepair {
  public:
-  /// @param motion   not empty; ends at the goal. It is blocked, or does not begin where the vehicle is.
+  /// @param motion   not empty; ends at the goal. It is blocked, or does not begin where the vehicle is, as fast.
   /// @param now      where the vehicle is.
   /// @param reverse  see PlanRequest.
   /// All must outlive this.

@@ -155,6 +155,21 @@ TEST(PathRepair, ComesBackToAMotionFromAside) {
   }
 }
 
+// At its first place, but faster than it begins.
+TEST(PathRepair, ComesBackToAFreeMotionThatBeginsSlower) {
+  const Planner planner(far_box(), robot());
+  const PlanResult towards = planner.plan(kStart, kGoal);
+  const Trajectory aside =
+      planner.plan(PlanRequest{.start = kStart, .goal = {20.0, 6.0, 0.5}, .start_speed = 1.5}).trajectory();
+  const TrajectoryState now = aside.at(0.0);
+  ASSERT_EQ(now.speed, 1.5);
+  const Replan next = replan_by(short_sighted(planner, 40.0), aside, 0.0,
+                                {.goal = kGoal, .limits = {.time = kAmpleTime}, .given_up = towards.segments});
+  ASSERT_EQ(next.motion, NextMotion::kRepaired) << next.reason;
+  EXPECT_EQ(next.segments.front().speed_in, now.speed);
+  expect_valid(planner, next, now, kGoal);
+}
+
 TEST(PathRepair, DrivesBackwardsOnlyIfAsked) {
   const Planner before(far_box(), robot());
   const PlanRequest back{.start = kStart, .goal = {-60.0, 0.0, 0.0}, .reverse = true};
