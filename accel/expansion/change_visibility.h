@@ -69,15 +69,11 @@ class MarkedNumbers {
 
 /// Conservative visibility of a change: marks all nodes with a line of sight to some place, and some others.
 ///
-/// A line of sight leaves a triangle that meets the place through one of its sides, and then crosses half-edges. Which
-/// triangle depends on its last point in the place:
-/// 1. It lies in a triangle that is large beside the place. The line leaves that one; the box that it has within the
-///    place stands for the point.
-/// 2. Else it is the last triangle on the line that meets the place and is not large. All points of the triangle stand
-///    for those of the place.
-///
-/// Each cone is bounded by the two vertices that split it last. A point beyond such a vertex, as seen from all corners
-/// of the triangle or of the box, is hidden.
+/// A line of sight begins in the place. It leaves the last of its triangles that meet the place through one of their
+/// sides, and then crosses half-edges. Each cone is bounded by the ends of that side, then by the two vertices that
+/// split it last. A point beyond such a vertex, as seen from all corners of the place, is hidden. No line of sight
+/// enters a triangle that meets the place, as it has left the last one, nor one through a side if the whole place lies
+/// on the triangle's side of it. Else cones with wide bounds turn around the place, and see no end of triangles.
 class ChangeVisibility {
  public:
   /// @param triangulation  must have listed its left edges.
@@ -95,23 +91,23 @@ class ChangeVisibility {
  private:
   struct Range {
     std::uint32_t half_edge;
-    std::uint32_t low, high;  ///< points that all rays pass on their left and right; kNone: no bound
+    std::uint32_t low, high;  ///< points that all rays pass on their left and right
   };
   using Corners = std::array<std::uint32_t, 3>;  // points of a triangle's corners
   [[nodiscard]] Corners corners_of(std::size_t triangle) const;
-  // Where rays begin: in a triangle; and in a box, if the triangle is large.
+  // Where rays begin.
   struct Source {
-    std::array<Vec2, 3> triangle;
-    bool is_large;
-    std::array<Vec2, 4> box;
+    Box place;
+    std::array<Vec2, 4> corners;  // of the place
   };
   [[nodiscard]] Box box_of(std::span<const std::uint32_t> points) const;
-  [[nodiscard]] bool is_large(const Corners& corners, const Box& place) const;
   void expand_out_of(std::size_t triangle, const Corners& corners, const Box& place);
   void expand(const Source& source, Range range);
   void follow_boundary(const PlanarMap::Edge& boundary);
   void mark(std::uint32_t first_node);
   [[nodiscard]] bool meets(const Corners& corners, const Box& place) const;
+  // Whether a ray from a source that has left the triangles at the place may enter another one through a half-edge.
+  [[nodiscard]] bool may_enter(const Source& source, std::uint32_t half_edge) const;
   [[nodiscard]] bool all_pass(const Source& source, std::uint32_t through, std::uint32_t point, int side) const;
 
   const FreeSpaceTriangulation& triangulation_;
