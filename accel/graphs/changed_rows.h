@@ -12,15 +12,16 @@
 namespace arcway::internal {
 
 /// Rows of a world after some changes, without a triangulation of it. A vertex that sees nothing of the places of
-/// removed and added obstacles keeps its row. The others are *stale*: only edges between two of them can be new, and
-/// visibility queries decide about those when a row is first asked for. Thread-safe.
+/// removed and added obstacles keeps its row. Of the other rows, edges that meet no place are kept. Others lead from
+/// one vertex that sees a place to another one, and visibility queries decide about those when a row is first asked
+/// for. Who sees a place is found once, and known in all later changes. Thread-safe.
 ///
 /// What was added and removed again takes no part, so that an obstacle may move for ever. Nothing if much more changed,
 /// or if regions of one of the worlds touch themselves; new lazy rows are better then.
 /// @param base  rows of the world before all changes.
 /// @param map  from that world to `after`.
 /// @param visibility  of `after`.
-std::optional<VisibilityRows::Changed> change_rows(std::shared_ptr<const LazyRows> base, const World& after,
+std::optional<VisibilityRows::Changed> change_rows(const std::shared_ptr<const LazyRows>& base, const World& after,
                                                    const VertexMap& map,
                                                    std::shared_ptr<const VisibilityQuery> visibility);
 

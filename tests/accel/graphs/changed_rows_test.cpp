@@ -63,6 +63,26 @@ TEST(ChangedRows, AreThoseOfTheWorldAfterEachChange) {
   EXPECT_GT(kept_rows, 500u);
 }
 
+// A vertex that was covered by an obstacle which came and went again is new.
+TEST(ChangedRows, MayDifferWhereWhatCoveredAVertexGoesAgain) {
+  const World world({{test::square(0, 0, 4), {}},
+                     {test::square(9, 0, 2), {}},
+                     {test::square(0, 9, 1), {}},
+                     {test::square(9, 9, 1), {}}});
+  const auto covering = world.changed({}, {{test::square(3, 3, 2), {}}});
+  ASSERT_EQ(covering.convex_vertices().size() + 2, world.convex_vertices().size() + 4);
+  const std::vector<ObstacleId> removed{4};
+  const World after = covering.changed(removed, {});
+  const WorldChange there(world, covering, {}), back(covering, after, removed);
+  const auto rows = make_lazy_rows(world);
+  const auto covered = rows->changed(covering, there, make_reference_queries(covering).visibility);
+  ASSERT_TRUE(covered.has_value());
+  expect_right(*rows, *covered, covering, there);
+  const auto again = covered->rows->changed(after, back, make_reference_queries(after).visibility);
+  ASSERT_TRUE(again.has_value());
+  expect_right(*covered->rows, *again, after, back);
+}
+
 TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
   World world = catalog_world("clutter/convex/n200/m8/f30/s3");
   Polygon moving = to_map_file(world).obstacles[100];
