@@ -6,24 +6,30 @@
 
 namespace arcway::internal {
 
-/// The arrays of one object that is gone, for the next one that has most of them in common with it. Thread-safe.
+/// The arrays of one or two objects that are gone, for the next ones that have most of them in common with them.
+/// Thread-safe.
 template <class Arrays>
 class Spare {
  public:
-  /// Null if there are none.
+  /// Those that were given last. Null if there are none.
   [[nodiscard]] std::unique_ptr<Arrays> take() {
     const std::lock_guard lock(mutex_);
-    return std::move(arrays_);
+    std::unique_ptr<Arrays> taken = std::move(last_);
+    last_ = std::move(other_);
+    return taken;
   }
-  /// Replaces those that were given before. @param arrays  must not own this.
+  /// Of three, the first ones are dropped. @param arrays  must not own this.
   void give(std::unique_ptr<Arrays> arrays) noexcept {
+    std::unique_ptr<Arrays> dropped;
     const std::lock_guard lock(mutex_);
-    arrays_.swap(arrays);
+    dropped = std::move(other_);
+    other_ = std::move(last_);
+    last_ = std::move(arrays);
   }
 
  private:
   std::mutex mutex_;
-  std::unique_ptr<Arrays> arrays_;
+  std::unique_ptr<Arrays> last_, other_;
 };
 
 }  // namespace arcway::internal
