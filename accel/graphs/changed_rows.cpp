@@ -44,6 +44,7 @@ struct Place {
   Vec2 center;  // of a disc around the box
   double radius;
   std::vector<VertexId> viewers;  // vertices of the world before all changes, ascending: see TangentNeighbors
+  std::vector<Vec2> viewers_at;   // their positions, which are not looked up in a large map
 };
 // Those of removed obstacles come first.
 struct Places {
@@ -107,6 +108,7 @@ std::optional<Places> find_places(const LazyRows& rows, std::span<const Box> box
       auto place = std::make_shared<Place>(box);
       place->viewers = *std::move(viewers);
       sort_once(place->viewers);
+      for (const VertexId v : place->viewers) place->viewers_at.push_back(rows.world().vertex(v));
       places.all.push_back(std::move(place));
     }
     seen += places.all.back()->viewers.size();
@@ -120,12 +122,11 @@ std::optional<Places> find_places(const LazyRows& rows, std::span<const Box> box
 // that place in the world before all changes.
 struct Onlookers {
   void add(const Place& seen, std::span<const Place* const> behind) {
-    for (const VertexId was : seen.viewers) {
-      const VertexId v = map.after(was);
-      if (v == kNone || !after.is_graph_vertex(v)) continue;
-      const Vec2& from = after.vertex(v);
-      if (std::ranges::any_of(behind, [&](const Place* q) { return may_see_along_line(from, seen, *q); }))
-        found.push_back(v);
+    for (std::size_t i = 0; i < seen.viewers.size(); ++i) {
+      const Vec2& from = seen.viewers_at[i];
+      if (std::ranges::none_of(behind, [&](const Place* q) { return may_see_along_line(from, seen, *q); })) continue;
+      const VertexId v = map.after(seen.viewers[i]);
+      if (v != kNone && after.is_graph_vertex(v)) found.push_back(v);
     }
   }
 
@@ -211,12 +212,11 @@ std::vector<VertexId> ChangedRows::behind(VertexId vertex, std::span<const Place
     const bool is_left = &place < &places_.all[places_.removed];
     if (!is_left && !place->box.contains(here)) continue;
     if (std::ranges::none_of(seen, [&](const Place* p) { return may_see_along_line(here, *p, *place); })) continue;
-    for (const VertexId before : place->viewers) {
-      const VertexId v = map_.after(before);
-      if (v == kNone || v == vertex || !world_.is_graph_vertex(v)) continue;
-      const Vec2 along = world_.vertex(v) - here;
+    for (std::size_t i = 0; i < place->viewers.size(); ++i) {
+      const Vec2 along = place->viewers_at[i] - here;
       if (std::abs(cross(along, place->center - here)) > (1.0 + 1e-9) * place->radius * along.norm()) continue;
-      found.push_back(v);
+      const VertexId v = map_.after(place->viewers[i]);
+      if (v != kNone && v != vertex && world_.is_graph_vertex(v)) found.push_back(v);
     }
   }
   for (const VertexId v : inside_)
@@ -286,8 +286,10 @@ std::optional<VisibilityRows::Changed> ChangedRows::changed(const World& after, 
   Onlookers onlookers{after, map, vertices_in(after, boxes)};
   onlookers.found.insert(onlookers.found.end(), rows->inside_.begin(), rows->inside_.end());
   for (const Place* place : changed) onlookers.add(*place, std::array{place});
-  for (const Places* places : {&places_, &rows->places_})
-    for (const auto& place : places->left_by_obstacles()) onlookers.add(*place, changed);
+  const auto left_after = rows->places_.left_by_obstacles();
+  for (const auto& place : left_after) onlookers.add(*place, changed);
+  for (const auto& place : places_.left_by_obstacles())
+    if (std::ranges::find(left_after, place) == left_after.end()) onlookers.add(*place, changed);
   sort_once(onlookers.found);
   return Changed{rows, std::move(onlookers.found)};
 }
