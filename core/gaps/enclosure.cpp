@@ -60,9 +60,8 @@ class Flood {
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> open;
     open.push({0.0, 0});
     std::unordered_set<std::uint64_t> seen{key_of(boxes[0])};
-    StopTicker ticker(clock);
     while (!open.empty()) {
-      if (ticker.is_over()) return End::kTooMany;
+      if (clock.is_over()) return End::kTooMany;
       const FloodBox box = boxes[open.top().second];
       open.pop();
       reach_ = std::max(reach_, (center_of(box).position() - from_.position()).norm());

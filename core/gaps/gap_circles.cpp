@@ -47,10 +47,9 @@ class GapCircles {
         swept_right_(swept(Side::kRight, radii.right)) {}
 
   AddedCircles find(const GapMap& gaps, const StopClock& clock) && {
-    StopTicker ticker(clock);
     const double widest = std::max(swept_left_.outer, swept_right_.outer);
     for (const Gap& gap : gaps.gaps()) {
-      end_if_over(ticker);
+      if (clock.is_over()) throw Canceled("canceled");  // a gap takes up to some ten microseconds
       if (!(gap.width > body_.width() && gap.width <= widest)) continue;
       const Vec2 across = (gap.on_b - gap.on_a) / gap.width;
       const VertexId a = corner_at(gap.edge_a, gap.on_a);

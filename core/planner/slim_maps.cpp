@@ -35,8 +35,10 @@ const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const
   return maps_[i].get(clock, [&] {
     const Vehicle vehicle = slimmer(map_.vehicle, kSlimBodies[i]);
     const CircleRadii radii = map_.radii.first(1);
+    const SerialExecutor serial;
+    const StoppableExecutor executor(serial, clock);  // circles take milliseconds
     auto lazy = std::make_shared<const LazyFeasibleGraph>(
-        FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, SerialExecutor());
+        FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, executor);
     Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines);
     slim.gaps = map_.gaps;  // the real body gets through no others
     return slim;
