@@ -29,7 +29,6 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       distance_((query.request.goal.position() - query.request.start.position()).norm()),
       are_turns_optimized_(optimizes_turns(query.map().vehicle, query.options.refinement)),
       best_cost_(kInfinity),
-      second_cost_(kInfinity),
       best_rough_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
   search_options_.ends = query.ends();
@@ -204,21 +203,11 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
   const double cost = cost_of(workspace_.refined.path);
   if (way != 0 && are_turns_optimized_) workspace_.ways.push_back({way, unrefined, cost});
   if (cost < best_cost_) {
-    // Of paths that refinement has led to the same place one is enough.
-    if (best_cost_ > (1.0 + kSameCost) * cost) {
-      std::swap(workspace_.second, workspace_.best);
-      second_cost_ = best_cost_;
-      second_unrefined_ = best_unrefined_;
-    }
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
     best_unrefined_ = {time, unrefined};
     s.unrefined_travel_time = time;
     found_ = true;
-  } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
-    std::swap(workspace_.second, workspace_.refined.path);
-    second_cost_ = cost;
-    second_unrefined_ = {time, unrefined};
   }
   return {unrefined, cost};
 }

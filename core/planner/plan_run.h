@@ -34,7 +34,7 @@ struct PlanWorkspace {
   FindWorkspace find_without_zones;  // apart, as searches of `find` continue each other
   PathRefiner refiner;
   RefinedPath refined;
-  Path best, second;
+  Path best;
   SpeedProfile profile;
   std::vector<double> unrefined_costs;  // of all paths found so far, before refinement, without gear changes [s]
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
@@ -151,7 +151,7 @@ class PlanRun {
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);
-  // Refines a path, unless that promises nothing, and keeps it if it is one of the two cheapest.
+  // Refines a path, unless that promises nothing, and keeps it if it is the cheapest one.
   // `way`: see SearchResult.
   Times keep(Path&& path, std::uint64_t way, double trials, RefineMode mode);
   // What is known of another path of its way, if refining this one promises nothing better.
@@ -188,9 +188,9 @@ class PlanRun {
   double close_ends_ = 0.0;  // lower bound of what driving close to obstacles costs on all paths [s]
   bool is_bound_raised_ = false;
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
-  Unrefined best_unrefined_, second_unrefined_;
-  double best_cost_, second_cost_;  // infinite where there is none
-  double best_rough_;               // least RefinedPath::rough_cost of all paths; infinite where there is none
+  Unrefined best_unrefined_;
+  double best_cost_;   // infinite where there is none
+  double best_rough_;  // least RefinedPath::rough_cost of all paths; infinite where there is none
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;

@@ -342,20 +342,12 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
   }
 }
 
-void PlanRun::take(const RefineBest& step, double trials) {
-  const auto refine_further = [&](const Path& path, const Unrefined& unrefined) {
-    if (result_.interrupted) return;
-    refine(path, trials, RefineMode::kAtLength);
-    const double cost = cost_of(workspace_.refined.path);
-    if (cost >= best_cost_) return;
-    std::swap(workspace_.best, workspace_.refined.path);
-    best_cost_ = cost;
-    best_unrefined_ = unrefined;
-    result_.statistics.unrefined_travel_time = unrefined.time;
-  };
-  const bool are_close = second_cost_ <= (1.0 + step.close) * best_cost_;
-  refine_further(workspace_.best, best_unrefined_);
-  if (are_close) refine_further(workspace_.second, second_unrefined_);
+void PlanRun::take(const RefineBest&, double trials) {
+  refine(workspace_.best, trials, RefineMode::kAtLength);
+  const double cost = cost_of(workspace_.refined.path);
+  if (cost >= best_cost_) return;
+  std::swap(workspace_.best, workspace_.refined.path);
+  best_cost_ = cost;
 }
 
 ReversingSearch& PlanRun::reversing_search() {

@@ -255,10 +255,7 @@ inline constexpr StrategyRow kStrategy[] = {
      TryOtherRadii{.radii = 3, .factor = 4.0, .slower = kRefinedFaster}, kUntilCompared},
     {"2 radii, 16 x lateral acceleration", kOtherRadii,
      TryOtherRadii{.radii = 2, .factor = 16.0, .slower = kRefinedFaster}, kUntilCompared},
-    {"refinement at length",
-     {.known = Known::kForwardPath, .radii = Radii::kSeveral},
-     RefineBest{.close = 0.003},
-     {.several = 24.0}},
+    {"refinement at length", {.known = Known::kForwardPath, .radii = Radii::kSeveral}, RefineBest{}, {.several = 24.0}},
 
     // Cheaper paths, or a first one, in both gears, where the rows above are not enough.
     {"narrow trees in both gears",
@@ -295,8 +292,6 @@ inline constexpr double kWorthForwards = 0.1;
 /// Trials of refinement for the cheapest path of the rows in both gears, as a multiple of RefineOptions::max_trials: it
 /// has taken longer to find.
 inline constexpr double kBothGearsTrials = 10.0;
-/// Paths whose costs differ by less than this share count as one.
-inline constexpr double kSameCost = 1e-6;
 /// Where turns are optimized, paths of one way mostly end at the same place: one that is not faster before refinement
 /// by this share than another one was is not refined.
 inline constexpr double kMuchFaster = 0.05;

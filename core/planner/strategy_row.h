@@ -164,10 +164,8 @@ struct TryOtherRadii {
   double factor;      ///< of the lateral acceleration
   double slower;      ///< than the best path so far, at most this share, for that vehicle
 };
-/// Refines the best path further, and the second best one if it is close.
-struct RefineBest {
-  double close;  ///< slower by at most this share
-};
+/// Refines the best path further.
+struct RefineBest {};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.

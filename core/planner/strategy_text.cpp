@@ -114,9 +114,7 @@ struct StepText {
            shortest_text(step.factor) + " x lateral acceleration, unless that takes " + percent(step.slower) +
            " longer than the best path";
   }
-  std::string operator()(const RefineBest& step) const {
-    return "refine the best path further, and the second if slower by at most " + percent(step.close);
-  }
+  std::string operator()(const RefineBest&) const { return "refine the best path further"; }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
   std::string operator()(const JoinBetweenGears& step) const {
     return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) +
