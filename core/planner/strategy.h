@@ -219,7 +219,7 @@ inline constexpr StrategyRow kStrategy[] = {
      {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.05},
      TryNarrowPlaces{.least_gain = 0.001}},
     {"circles in gaps, for speed",
-     {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.1},
+     {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.1, .best_gap = 0.1},
      TryNarrowPlaces{.least_gain = 0.001}},
     // Slower paths at first, they may be faster once refined.
     {"another last circle", kOtherEnds, TryOtherLastCircle{.slower = 0.03}},
