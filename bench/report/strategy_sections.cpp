@@ -91,7 +91,7 @@ std::string text_of(Stage stage) {
     case Stage::kOptimize:
       return "after " + std::to_string(kTrialsBefore) + " trials of the moves above; if it helps, this is the end";
     case Stage::kOptimizeAtLength:
-      return "for the best paths, in " + std::to_string(kMostRounds) + " rounds";
+      return "for the best path, in " + std::to_string(kMostRounds) + " rounds";
     case Stage::kSettle:
       return "once, then it is a local optimum";
     case Stage::kEscape:

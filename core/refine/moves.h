@@ -19,7 +19,7 @@ enum class Stage {
   kSimplify,          ///< in order, again from the first one on whenever one helps
   kSlide,             ///< each once; refinement returns to kSimplify if one helps
   kOptimize,          ///< once, after kTrialsBefore trials of the stages above; if it helps, refinement ends
-  kOptimizeAtLength,  ///< instead of kOptimize for the best paths, in kMostRounds rounds after kSimplify
+  kOptimizeAtLength,  ///< instead of kOptimize for the best path, in kMostRounds rounds after kSimplify
   kImprove,           ///< each once; refinement returns to kSimplify if one helps
   kSettle,            ///< each once, when no stage above helps; the path is a local optimum then
   kEscape,            ///< each once, at a local optimum; refinement returns to kSimplify if one helps

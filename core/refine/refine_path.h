@@ -45,7 +45,7 @@ struct RefineQuery {
   /// The world and its outlines. Without them no turns are optimized.
   const World* world = nullptr;
   const Outlines* outlines = nullptr;
-  bool at_length = false;    ///< whether the path is one of the best, refined before: Stage::kOptimizeAtLength
+  bool at_length = false;    ///< whether the path is the best one, refined before: Stage::kOptimizeAtLength
   EndSpeeds ends = {};       ///< of the path, which stay as they are
   double lower_bound = 0.0;  ///< on the cost of all paths between the poses, as far as it is known [s]
   /// Turns are not optimized if the path costs more than this before that [s]. Another way promises more then.
