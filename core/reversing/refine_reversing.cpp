@@ -1,7 +1,10 @@
 #include "core/reversing/refine_reversing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -53,6 +56,7 @@ class ReversingRefiner {
         most_cusps_(std::max(changes.most, cusps_of(result.path))),
         most_trials_(query.options.max_trials) {
     cost_ = cost_of(result.path);
+    forget_vain_moves();
   }
 
   void run() {
@@ -83,6 +87,7 @@ class ReversingRefiner {
   void begin_again(const Path& unrefined) {
     if (done() || cusps_of(result_.path) < 2) return;
     Path best = std::exchange(result_.path, unrefined);
+    forget_vain_moves();
     const double best_cost = std::exchange(cost_, kInfinity);
     cost_ = cost_of(unrefined);
     take_all(Stage::kEscape, 0);
@@ -110,11 +115,18 @@ class ReversingRefiner {
     bool again = false;
     for (const GearMoveRow& row : kGearMoves) {
       if (row.stage != stage || (options_.moves & move_bit(row.name)) == 0) continue;
+      // What found nothing finds nothing again while the path is the same. All rows of one kind of move are equal.
+      std::uint64_t& vain = vain_[row.move.index()];
+      if (vain == result_.improvements) continue;
       const bool helps = std::visit([this](const auto& move) { return take(move); }, row.move);
+      const bool is_repeated = std::holds_alternative<InsertGearWords>(row.move);  // until it finds nothing
+      if ((!helps || is_repeated) && !done()) vain = result_.improvements;
       again = again || (helps && round <= row.last_round);
     }
     return again;
   }
+
+  void forget_vain_moves() { vain_.fill(kNeverVain); }
 
   [[nodiscard]] bool done() {
     result_.interrupted = result_.interrupted || clock_.is_over();
@@ -482,6 +494,9 @@ class ReversingRefiner {
   std::size_t most_cusps_;
   std::uint64_t most_trials_;  // until the next stage
   double cost_ = kInfinity;
+  // By kind of move, the number of improvements when it last found nothing.
+  static constexpr std::uint64_t kNeverVain = std::numeric_limits<std::uint64_t>::max();
+  std::array<std::uint64_t, std::variant_size_v<GearMove>> vain_;
 };
 
 }  // namespace

@@ -53,6 +53,21 @@ TEST(RefineReversing, CuspsMoveToWhereParkingTakesLessTime) {
   EXPECT_GT(gain, 0.015);
 }
 
+// Words join places of the path in rounds, and again at the end.
+TEST(RefineReversing, TriesAMoveOnceWhereItFoundNothing) {
+  const Vehicle vehicle;
+  const World world({box(-5.0, 0.8, 60.0, 1.8), box(-5.0, -1.8, 60.0, -0.8)});
+  const QuerySet queries = make_reference_queries(world);
+  const Pose start{0.0, 0.0, 0.0};
+  const Path path{{start, 20.0, 0.0, Gear::kForward}, {{20.0, 0.0, 0.0}, 10.0, 0.0, Gear::kReverse}};
+  RefineOptions options;
+  options.moves = move_bit("words between places");
+  const RefinedPath refined = refine_reversing_path({path, {}, {}, vehicle, *queries.sweep, options, {}}, {});
+  const RefinedPath again = refine_reversing_path({refined.path, {}, {}, vehicle, *queries.sweep, options, {}}, {});
+  EXPECT_EQ(again.improvements, 0u);
+  EXPECT_EQ(again.trials, 151u);  // one sweep over the places
+}
+
 // Back and forth along a lane too narrow to turn in: all of it is one line.
 TEST(RefineReversing, LeavesNoChangeOfGearThatAWordSaves) {
   const Vehicle vehicle;
