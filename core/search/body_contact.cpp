@@ -87,4 +87,11 @@ std::optional<BodyContact> body_contact(const Footprint& body, const BodyMotion&
   return same ? at_corner(least, contact_of(is_beside ? *before : *beside, ahead), ahead, curvature) : least;
 }
 
+double distance_beside(const Footprint& body, const Vec2& place, const Vec2& ahead, const LineSegment& edge) {
+  const Vec2 p = edge.a - place, q = edge.b - place;
+  const Vec2 a(ahead.dot(p), cross(ahead, p)), b(ahead.dot(q), cross(ahead, q));
+  const Vec2 low = a.cwiseMin(b), high = a.cwiseMax(b);
+  return std::max({low.x() - body.front, -body.rear - high.x(), low.y() - body.left, -body.right - high.y()});
+}
+
 }  // namespace arcway::internal

@@ -27,4 +27,8 @@ struct BodyMotion {
 std::optional<BodyContact> body_contact(const Footprint& body, const BodyMotion& motion, const LineSegment& edge,
                                         double near);
 
+/// A lower bound on the distance of an edge from a body at a place, with its heading along `ahead` [m]. Not above 0 if
+/// they may touch. Constant time.
+double distance_beside(const Footprint& body, const Vec2& place, const Vec2& ahead, const LineSegment& edge);
+
 }  // namespace arcway::internal

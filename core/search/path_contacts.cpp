@@ -32,7 +32,7 @@ Vec2 end_by_curvature(double curvature, double length) {
 }  // namespace
 
 PathContacts::PathContacts(const Outlines& outlines, const Footprint& body)
-    : outlines_(outlines), body_(body), unit_(body.length()), around_(body.farthest()) {}
+    : outlines_(&outlines), body_(body), unit_(body.length()), around_(body.farthest()) {}
 
 void PathContacts::look_along(const std::vector<PathSegment>& motions, const Pose& goal) {
   motions_ = motions;
@@ -66,14 +66,14 @@ void PathContacts::find_edges(const PathSegment& motion) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) near.extend(motion.at(share * motion.length).position());
   near = near.grown(around_ + kNearContact * unit_ + kAroundArc * motion.length);
   edges_.clear();
-  outlines_.visit_if([&](const Box& box) { return box.overlaps(near); },
-                     [&](const Outlines::Piece& piece) {
-                       for (std::size_t k = 0; k < piece.edge_count(); ++k) {
-                         const LineSegment edge{piece.points[k], piece.points[k + 1]};
-                         if (box_of(edge).overlaps(near)) edges_.push_back(edge);
-                       }
-                       return true;
-                     });
+  outlines_->visit_if([&](const Box& box) { return box.overlaps(near); },
+                      [&](const Outlines::Piece& piece) {
+                        for (std::size_t k = 0; k < piece.edge_count(); ++k) {
+                          const LineSegment edge{piece.points[k], piece.points[k + 1]};
+                          if (box_of(edge).overlaps(near)) edges_.push_back(edge);
+                        }
+                        return true;
+                      });
 }
 
 PathContacts::Step PathContacts::step_at(const PathSegment& motion, double at) {
@@ -101,8 +101,13 @@ double PathContacts::depth(const PathSegment& motion, const Step& step, const Li
 void PathContacts::look_at(std::size_t i, const LineSegment& edge) {
   const PathSegment& motion = motions_[i];
   double before = kNoContact, here = kNoContact;
+  std::size_t first_near = 0;  // of the steps: the edge is far from the body at those before
   for (std::size_t k = 0; k <= steps_.size(); ++k) {
-    const double next = k < steps_.size() ? depth(motion, steps_[k], edge) : kNoContact;
+    double next = kNoContact;
+    if (k >= first_near && k < steps_.size()) {
+      next = depth(motion, steps_[k], edge);
+      if (next == kNoContact) first_near = k + 1 + steps_far_from(steps_[k], edge);
+    }
     const double flat = kFlat * unit_;
     if (here > kNoContact && ((here > before + flat && here + flat >= next) || next == kNoContact)) {
       const double low = k >= 2 ? steps_[k - 2].at : 0.0, high = k < steps_.size() ? steps_[k].at : motion.length;
@@ -112,6 +117,13 @@ void PathContacts::look_at(std::size_t i, const LineSegment& edge) {
     before = here;
     here = next;
   }
+}
+
+// A number of steps in which the body does not get as far as an edge. Some less than that, for rounding.
+std::size_t PathContacts::steps_far_from(const Step& step, const LineSegment& edge) const {
+  const double away = distance_beside(body_, step.place, step.ahead, edge) - kNearContact * unit_;
+  const double steps = away / (kStep * unit_);
+  return steps < 2.0 ? 0 : static_cast<std::size_t>(steps) - 1;
 }
 
 PathContacts::Step PathContacts::deepest(const PathSegment& motion, const LineSegment& edge, double low,

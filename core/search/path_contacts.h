@@ -54,6 +54,7 @@ class PathContacts {
   void look_along_motion(std::size_t i);
   void find_edges(const PathSegment& motion);
   void look_at(std::size_t i, const LineSegment& edge);
+  [[nodiscard]] std::size_t steps_far_from(const Step& step, const LineSegment& edge) const;
   [[nodiscard]] static Step step_at(const PathSegment& motion, double at);
   [[nodiscard]] static End end_at(const PathSegment& motion, const Step& step);
   [[nodiscard]] std::optional<BodyContact> contact(const PathSegment& motion, const Step& step,
@@ -65,7 +66,7 @@ class PathContacts {
   [[nodiscard]] std::array<double, 2> by_motion(const PathSegment& motion, double length, const End& end,
                                                 const Vec2& place, const Vec2& by_place, double by_turn) const;
 
-  const Outlines& outlines_;
+  const Outlines* outlines_;
   Footprint body_;
   double unit_;    // length of the body [m]
   double around_;  // radius of the circle around the reference point that holds the body [m]

@@ -41,6 +41,7 @@ class Pusher {
       : start_(path.front().start),
         goal_(goal),
         contacts_(space.outlines, space.body.grown(kRoom * space.body.length())),
+        contacts_before_(contacts_),
         radii_(space.vehicle),
         longest_(length_of(path) + contacts_.unit()) {
     for (double longest = kLongestPart * contacts_.unit(); parts_.empty(); longest *= 2.0) {
@@ -69,10 +70,10 @@ class Pusher {
         damping = kFirstDamping;
       }
       if (is_patience_over) before_patience = square_sum;
-      const LinearResiduals residuals = contacts_.residuals();
       std::vector<Part> tried = parts_;
-      change(tried, hinge_step(residuals, limits(), damping, kStepIterations));
+      change(tried, hinge_step(contacts_.residuals(), limits(), damping, kStepIterations));
       end_at_goal(tried);
+      std::swap(contacts_, contacts_before_);
       const double now = look(tried);
       const bool is_better = now < square_sum;
       damping = is_better ? std::max(kLeastDamping, kSofter * damping) : kHarder * damping;
@@ -80,7 +81,7 @@ class Pusher {
         std::swap(parts_, tried);
         square_sum = now;
       } else {
-        look(parts_);
+        std::swap(contacts_, contacts_before_);
       }
     }
     if (is_nearly_free()) return path();
@@ -189,8 +190,9 @@ class Pusher {
   }
 
   Pose start_, goal_;
-  PathContacts contacts_;
-  SideRadii radii_;  // the smallest ones
+  PathContacts contacts_;         // of the parts
+  PathContacts contacts_before_;  // memory: of the parts before a step
+  SideRadii radii_;               // the smallest ones
   std::vector<Part> parts_;
   double longest_;  // length at first, and some more [m]
   bool are_lines_bent_ = false;

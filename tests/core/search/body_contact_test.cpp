@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "arcway/angle.h"
 #include "arcway/path.h"
 
 namespace arcway::internal {
@@ -46,6 +47,18 @@ TEST(BodyContact, KnowsEdgesNearBy) {
   EXPECT_NEAR(near->depth, -0.05, 1e-15);
   EXPECT_FALSE(contact({0.0, 0.0, 0.0}, {{1.0, 0.65}, {1.0, 5.0}}));
   EXPECT_FALSE(contact({0.0, 0.0, 0.0}, {{1.65, -1.0}, {1.65, 5.0}}));
+}
+
+TEST(BodyContact, IsNoneWithinTheDistanceBeside) {
+  const auto beside = [](const LineSegment& edge) {
+    return distance_beside(kTouchingBody, {2.0, 1.0}, direction_of(0.5 * kPi), edge);
+  };
+  // The body covers x in [1.5, 2.5] and y in [0.5, 2.5].
+  EXPECT_NEAR(beside({{2.0, 4.5}, {3.0, 9.0}}), 2.0, 1e-12);
+  EXPECT_NEAR(beside({{1.0, -2.5}, {3.0, -3.0}}), 3.0, 1e-12);
+  EXPECT_NEAR(beside({{0.0, 0.0}, {-1.0, 5.0}}), 1.5, 1e-12);
+  EXPECT_NEAR(beside({{6.5, 0.0}, {7.5, 1.5}}), 4.0, 1e-12);
+  EXPECT_LE(beside({{0.0, 0.0}, {3.0, 1.0}}), 0.0);
 }
 
 TEST(BodyContact, KnowsTheSidesApart) {

@@ -89,6 +89,25 @@ TEST(PathContacts, TellsHowDeepABodyLiesOverAPost) {
   EXPECT_NEAR(contacts.deepest() * contacts.unit(), 0.2, 1e-9);
 }
 
+// Steps at which an edge is far are left out. Along short motions there are none of these.
+TEST(PathContacts, MissesNoPostThatIsFarAtFirst) {
+  int touched = 0;
+  for (int i = 0; i < 600; ++i) {
+    const double x = 0.2 * (i % 30), y = 0.75 + 0.2 * (i / 30);
+    const World world({box(x, y, x + 0.02, y + 0.02)});
+    const Outlines outlines(world);
+    PathContacts contacts(outlines, kPathBody), by_parts(outlines, kPathBody);
+    const PathSegment arc{{0.0, 0.0, 0.0}, 7.0, 0.3};
+    contacts.look_along({arc}, arc.end());
+    const std::vector<PathSegment> parts = chain(arc.start, std::vector<PathSegment>(140, {{}, 0.05, 0.3}));
+    by_parts.look_along(parts, parts.back().end());
+    EXPECT_NEAR(contacts.deepest(), by_parts.deepest(), 1e-3) << i;
+    touched += contacts.deepest() > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(touched, 50);
+  EXPECT_LT(touched, 550);
+}
+
 TEST(PathContacts, KnowsTheWayFromTheGoal) {
   const World world({box(30.0, 0.3, 31.0, 1.0)});
   const Outlines outlines(world);
