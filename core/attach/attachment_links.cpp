@@ -56,6 +56,7 @@ class CircleLinks {
           pieces.push_back(index);
           for (const CirclePlaces::Group& group : map_.places->of(index).groups) circles += group.last - group.first;
         });
+    horizon_.finish();
     if (circles > limit_.most_links) sort_near_first(own_.circle.center, map_.places->outlines(), pieces);
   }
 
@@ -76,15 +77,13 @@ class CircleLinks {
   template <class Found>
   void consider(std::uint32_t circle, Found&& found) const {
     const TurnCircle& other = graph_circles_[circle];
-    if (is_far(other)) return;
     const Side side = from_start_ ? other.side : opposite(other.side);
-    const OcclusionHorizon::TangentLine tangent =
-        horizon_.tangent_to(TurnCircle{other.center, other.radius, side, kNone});
-    if (horizon_.hides(tangent)) return;
+    const auto tangent = horizon_.free_tangent_to(TurnCircle{other.center, other.radius, side, kNone});
+    if (!tangent || is_far(other)) return;
     // Most other circles are blocked at their heading. An approximate heading shows that, and exact ones are far
     // slower.
-    const double about = from_start_ ? tangent.heading : tangent.heading + (tangent.heading < kPi ? kPi : -kPi);
-    if (tangent.length > 0.0 && !circles_.may_be_free(circle, about, OcclusionHorizon::kTangentError)) return;
+    const double about = from_start_ ? tangent->heading : tangent->heading + (tangent->heading < kPi ? kPi : -kPi);
+    if (tangent->length > 0.0 && !circles_.may_be_free(circle, about, OcclusionHorizon::kTangentError)) return;
     const auto line = from_start_ ? directed_bitangent(own_.circle, other) : directed_bitangent(other, own_.circle);
     if (!line) return;
     const double heading = line->start.heading;

@@ -11,7 +11,6 @@ namespace arcway::internal {
 
 namespace {
 
-constexpr double kSlack = 1e-6;  // allowance for rounding: of headings [rad], and of distances as a share
 // Largest half width of a piece of outline, in distances from the circle's center. A narrower piece spans less than pi
 // of headings.
 constexpr double kWidestPiece = 0.7;
@@ -23,20 +22,9 @@ constexpr double kLongestEdge = 1000.0;
 // An upper bound on asin(x), 0 <= x <= 1: asin is convex there.
 double above_asin(double x) { return x < 0.5 ? (kPi / 3.0) * x : kPi / 6.0 + (2.0 * kPi / 3.0) * (x - 0.5); }
 
-// atan2(d.y(), d.x()) within kDirectionError, d not zero; several times as fast [Abramowitz, Stegun 1964, 4.4.49].
-constexpr double kDirectionError = 2e-5;
-double about_atan2(const Vec2& d) {
-  const double x = std::abs(d.x()), y = std::abs(d.y());
-  const double t = std::min(x, y) / std::max(x, y);
-  const double u = t * t;
-  const double angle = t * (0.9998660 + u * (-0.3302995 + u * (0.1801410 + u * (-0.0851330 + u * 0.0208351))));
-  const double upper = y > x ? 0.5 * kPi - angle : angle;
-  return std::copysign(d.x() < 0.0 ? kPi - upper : upper, d.y());
-}
-
 // The ball around a box, seen from outside of it.
 struct Ball {
-  double heading, distance;  // of its center; the heading within kDirectionError
+  double heading, distance;  // of its center; the heading within kQuickAngleError
   double radius;
 };
 
@@ -45,7 +33,7 @@ std::optional<Ball> ball_around(const Box& box, const Vec2& place) {
   const Vec2 d = 0.5 * (box.min + box.max) - place;
   const Vec2 extent = 0.5 * (box.max - box.min);
   if (d.squaredNorm() <= extent.squaredNorm()) return std::nullopt;
-  return Ball{about_atan2(d), d.norm(), extent.norm()};
+  return Ball{quick_angle_of(d), d.norm(), extent.norm()};
 }
 
 // Distance from the center within which no straight that leaves the circle reaches a point of the box.
@@ -60,21 +48,22 @@ struct Headings {
 // The headings of straights that leave a circle and lead to points of a ball, seen from its center.
 // @param near  no point is nearer to the center [m]; at least the circle's radius.
 Headings headings_towards(const Ball& ball, double near, const TurnCircle& circle) {
-  const double spread = above_asin(ball.radius / ball.distance) + kDirectionError;
+  const double spread = above_asin(ball.radius / ball.distance) + kQuickAngleError;
   const double lead_near = above_asin(circle.radius / near);
   const double lead_far = circle.radius / std::max(near, ball.distance + ball.radius);  // below its asin
   const bool left = circle.side == Side::kLeft;
-  return {ball.heading - spread + (left ? lead_far : -lead_near) - kSlack,
-          ball.heading + spread + (left ? lead_near : -lead_far) + kSlack};
+  return {ball.heading - spread + (left ? lead_far : -lead_near) - kHorizonSlack,
+          ball.heading + spread + (left ? lead_near : -lead_far) + kHorizonSlack};
 }
 
 }  // namespace
 
 OcclusionHorizon::OcclusionHorizon(const TurnCircle& circle, double heading, double turn) : circle_(circle) {
   far_.setConstant(-std::numeric_limits<double>::infinity());
-  const double low = heading - (circle.side == Side::kLeft ? 0.0 : turn) - kSlack;
+  farthest_.fill(std::numeric_limits<double>::infinity());
+  const double low = heading - (circle.side == Side::kLeft ? 0.0 : turn) - kHorizonSlack;
   const auto first = static_cast<long>(std::floor(wrap_positive(low) * (kHeadings / kTwoPi)));
-  const auto count = static_cast<long>(std::ceil((turn + 2.0 * kSlack) * (kHeadings / kTwoPi))) + 1;
+  const auto count = static_cast<long>(std::ceil((turn + 2.0 * kHorizonSlack) * (kHeadings / kTwoPi))) + 1;
   for (long k = first; k < first + std::min(count, static_cast<long>(kHeadings)); ++k)
     far_[k % kHeadings] = std::numeric_limits<double>::infinity();
 }
@@ -88,7 +77,7 @@ void OcclusionHorizon::shorten(const Outlines& outlines) {
 void OcclusionHorizon::shorten(std::span<const Vec2> outline, const Box& box) {
   const double half = 0.5 * (box.max - box.min).norm();
   const double distance = (0.5 * (box.min + box.max) - circle_.center).norm();
-  if (half > kWidestPiece * distance || distance - half <= circle_.radius * (1.0 + kSlack)) {
+  if (half > kWidestPiece * distance || distance - half <= circle_.radius * (1.0 + kHorizonSlack)) {
     if (outline.size() == 2) return shorten_by_edge({outline[0], outline[1]});
     const std::size_t middle = outline.size() / 2;
     for (const auto part : {outline.subspan(0, middle + 1), outline.subspan(middle)}) {
@@ -106,7 +95,7 @@ void OcclusionHorizon::shorten_by_edge(const std::array<Vec2, 2>& edge) {
   const Vec2 along = edge[1] - edge[0];
   const double t = std::clamp((circle_.center - edge[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
   const double distance = (edge[0] + t * along - circle_.center).norm();
-  const bool clear = distance > circle_.radius * (1.0 + kSlack) && along.norm() < kLongestEdge * distance;
+  const bool clear = distance > circle_.radius * (1.0 + kHorizonSlack) && along.norm() < kLongestEdge * distance;
   if (clear) shorten_by(edge);
 }
 
@@ -127,10 +116,10 @@ void OcclusionHorizon::shorten_by(std::span<const Vec2> outline) {
     return std::sqrt(d.squaredNorm() - offset * offset) * d - offset * perpendicular(d);
   };
   const Vec2 low = direction_through(first_seen), high = direction_through(last_seen);
-  const double far = std::sqrt(farthest - offset * offset) * (1.0 + kSlack);
-  const double slack = kDirectionError + kSlack;
-  const double from = about_atan2(low) + slack + kTwoPi;
-  const double to = from + about_atan2({low.dot(high), cross(low, high)}) - 3.0 * slack;
+  const double far = std::sqrt(farthest - offset * offset) * (1.0 + kHorizonSlack);
+  const double slack = kQuickAngleError + kHorizonSlack;
+  const double from = quick_angle_of(low) + slack + kTwoPi;
+  const double to = from + quick_angle_of({low.dot(high), cross(low, high)}) - 3.0 * slack;
   const int first = static_cast<int>(from * (kHeadings / kTwoPi)) + 1;
   const int count = static_cast<int>(to * (kHeadings / kTwoPi)) - first;
   if (count <= 0) return;
@@ -142,20 +131,19 @@ void OcclusionHorizon::shorten_by(std::span<const Vec2> outline) {
 }
 
 OcclusionHorizon::TangentLine OcclusionHorizon::tangent_to(const TurnCircle& to) const {
-  const Vec2 d = to.center - circle_.center;
-  const double offset = sign_of(to.side) * to.radius - sign_of(circle_.side) * circle_.radius;
-  const double square = d.squaredNorm() - offset * offset;
-  if (!(square > kSlack * offset * offset)) return {0.0, 0.0};  // they may touch, or there may be none
-  const double length = std::sqrt(square);
-  const double heading = about_atan2(length * d - offset * perpendicular(d));
-  return {heading < 0.0 ? heading + kTwoPi : heading, length};
+  const auto line = line_to(to);
+  return line && line->length > 0.0 ? tangent_along(*line) : TangentLine{0.0, 0.0};
 }
 
-bool OcclusionHorizon::hides(const TangentLine& tangent) const {
-  if (tangent.length == 0.0) return false;
-  const double slack = kDirectionError + kSlack;
-  const double end = std::max(far_[range_of(tangent.heading - slack)], far_[range_of(tangent.heading + slack)]);
-  return end < tangent.length * (1.0 - kSlack);
+void OcclusionHorizon::finish() {
+  constexpr int kRanges = kHeadings / kOctants;
+  for (int octant = 0; octant < kOctants; ++octant) {
+    const int first = octant * kRanges;
+    const double within = far_.segment(first, kRanges).maxCoeff();
+    // Rounding may put a heading in the octant beside its own.
+    farthest_[octant] =
+        std::max({within, far_[(first + kHeadings - 1) % kHeadings], far_[(first + kRanges) % kHeadings]});
+  }
 }
 
 double OcclusionHorizon::reach(double heading) const {
@@ -175,7 +163,7 @@ bool OcclusionHorizon::end_before(double distance, int first, int last) const {
 
 bool OcclusionHorizon::hides(const Box& box) const {
   // No tangent enters the disc.
-  const double disc = circle_.radius * (1.0 - kSlack);
+  const double disc = circle_.radius * (1.0 - kHorizonSlack);
   const Vec2 farthest = (0.5 * (box.min + box.max) - circle_.center).cwiseAbs() + 0.5 * (box.max - box.min);
   if (farthest.squaredNorm() < disc * disc) return true;
   const auto ball = ball_around(box, circle_.center);
@@ -184,7 +172,7 @@ bool OcclusionHorizon::hides(const Box& box) const {
   if (far_[range_of(ball->heading)] >= ball->distance) return false;
   const double near = nearest_of(box, circle_);
   const auto [low, high] = headings_towards(*ball, near, circle_);
-  const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kSlack);
+  const double closest = std::sqrt((near - circle_.radius) * (near + circle_.radius)) * (1.0 - kHorizonSlack);
   const int first = range_of(low), last = range_of(high) + 1;
   if (first < last) return end_before(closest, first, last);
   return end_before(closest, first, kHeadings) && end_before(closest, 0, last);

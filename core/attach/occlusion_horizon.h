@@ -1,15 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "arcway/angle.h"
 #include "core/attach/sectors.h"
+#include "core/geometry/quick_direction.h"
 #include "core/model/outlines.h"
 #include "core/roadmap/turn_circle.h"
 
 namespace arcway::internal {
+
+// Allowance for rounding: of headings [rad], and of distances as a share.
+inline constexpr double kHorizonSlack = 1e-6;
 
 /// The nearest obstacle by direction around a circle: an upper bound, by heading, on the length of free straights that
 /// leave a directed circle. It is computed from outlines near the circle, so that obstacles behind them need not be
@@ -41,14 +50,53 @@ class OcclusionHorizon {
   };
   static constexpr double kTangentError = 1e-4;
   [[nodiscard]] TangentLine tangent_to(const TurnCircle& to) const;
+  /// The tangent line onto another directed circle; nothing if there is none, or if it is certainly blocked. Quick, and
+  /// the more so after `finish`: most circles are told by the octant of their heading.
+  [[nodiscard]] std::optional<TangentLine> free_tangent_to(const TurnCircle& to) const {
+    const auto line = line_to(to);
+    if (!line || line->length == 0.0) return line ? std::optional(TangentLine{0.0, 0.0}) : std::nullopt;
+    if (farthest_[octant_of(line->along)] < line->length * (1.0 - kHorizonSlack)) return std::nullopt;
+    const TangentLine tangent = tangent_along(*line);
+    return hides(tangent) ? std::nullopt : std::optional(tangent);
+  }
   /// Whether the tangent line is certainly blocked. False if there may be none.
-  [[nodiscard]] bool hides(const TangentLine& tangent) const;
+  [[nodiscard]] bool hides(const TangentLine& tangent) const {
+    if (tangent.length == 0.0) return false;
+    constexpr double slack = kQuickAngleError + kHorizonSlack;
+    const double end = std::max(far_[range_of(tangent.heading - slack)], far_[range_of(tangent.heading + slack)]);
+    return end < tangent.length * (1.0 - kHorizonSlack);
+  }
+  /// To be called when all outlines have been taken into account.
+  void finish();
 
  private:
-  static constexpr int kHeadings = 512;
-  // The range of a heading > -4 pi, several times as fast as wrapping any heading.
+  static constexpr int kHeadings = 512, kOctants = 8;
   static int range_of(double heading) {
     return static_cast<int>((heading + 2.0 * kTwoPi) * (kHeadings / kTwoPi)) % kHeadings;
+  }
+  static std::size_t octant_of(const Vec2& d) {
+    // By whether y > 0, x > 0 and |y| > |x|.
+    constexpr std::array<std::uint8_t, kOctants> kOctant{4, 5, 7, 6, 3, 2, 0, 1};
+    return kOctant[(d.y() > 0.0 ? 4u : 0u) + (d.x() > 0.0 ? 2u : 0u) + (std::abs(d.y()) > std::abs(d.x()) ? 1u : 0u)];
+  }
+  // A tangent line: some vector along it, and its length; 0: there may be none.
+  struct Line {
+    Vec2 along;
+    double length;
+  };
+  // In the frame of the line's direction t and left normal n: d = length t + offset n.
+  [[nodiscard]] std::optional<Line> line_to(const TurnCircle& to) const {
+    const Vec2 d = to.center - circle_.center;
+    const double offset = sign_of(to.side) * to.radius - sign_of(circle_.side) * circle_.radius;
+    const double square = d.squaredNorm() - offset * offset, rounding = kHorizonSlack * offset * offset;
+    if (square < -rounding) return std::nullopt;
+    if (!(square > rounding)) return Line{d, 0.0};  // they may touch
+    const double length = std::sqrt(square);
+    return Line{length * d - offset * perpendicular(d), length};
+  }
+  [[nodiscard]] static TangentLine tangent_along(const Line& line) {
+    const double heading = quick_angle_of(line.along);
+    return {heading < 0.0 ? heading + kTwoPi : heading, line.length};
   }
   // Whether all straights in the ranges [first, last) end before a distance [m].
   [[nodiscard]] bool end_before(double distance, int first, int last) const;
@@ -57,6 +105,7 @@ class OcclusionHorizon {
 
   TurnCircle circle_;
   Eigen::Array<double, kHeadings, 1> far_;  // by heading, in equal ranges from 0
+  std::array<double, kOctants> farthest_;   // upper bounds of those of an octant
 };
 
 }  // namespace arcway::internal

@@ -52,7 +52,7 @@ TEST(OcclusionHorizon, EndsNoFreeStraightAndHidesNoPointThatOneReaches) {
 
 TEST(OcclusionHorizon, HidesNoCircleOntoWhichAStraightIsFree) {
   const Footprint body = Vehicle{}.footprint();
-  int hidden = 0, free = 0;
+  int hidden = 0, free = 0, overlapping = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const World world = random_world({.obstacles = 50, .vertices = 6, .fill = 0.2, .seed = seed});
     const QuerySet queries = make_reference_queries(world);
@@ -63,6 +63,7 @@ TEST(OcclusionHorizon, HidesNoCircleOntoWhichAStraightIsFree) {
       const TurnCircle circle{random.point(0.0, far), 1.3, i % 2 == 0 ? Side::kLeft : Side::kRight, kNone};
       OcclusionHorizon horizon(circle, 0.0, kTwoPi);
       horizon.shorten(outlines);
+      horizon.finish();
       for (int k = 0; k < 200; ++k) {
         // Far away, near by, overlapping, and of another radius.
         const double spread = k % 4 == 0 ? 4.0 : 0.3 * far;
@@ -73,6 +74,9 @@ TEST(OcclusionHorizon, HidesNoCircleOntoWhichAStraightIsFree) {
         const OcclusionHorizon::TangentLine tangent = horizon.tangent_to(to);
         EXPECT_FALSE(is_free && horizon.hides(tangent)) << seed << " " << i << " " << k;
         EXPECT_TRUE(line || !horizon.hides(tangent));
+        const auto quick = horizon.free_tangent_to(to);
+        EXPECT_TRUE(!line || quick.has_value() != horizon.hides(tangent)) << seed << " " << i << " " << k;
+        overlapping += !line && !quick ? 1 : 0;
         if (line && tangent.length > 0.0) {
           EXPECT_LT(std::abs(wrap_signed(tangent.heading - line->start.heading)), OcclusionHorizon::kTangentError);
           EXPECT_NEAR(tangent.length, line->length, 1e-6 * line->length);
@@ -85,6 +89,7 @@ TEST(OcclusionHorizon, HidesNoCircleOntoWhichAStraightIsFree) {
   }
   EXPECT_GT(hidden, 5000);
   EXPECT_GT(free, 500);
+  EXPECT_GT(overlapping, 500);
 }
 
 // Ranges of headings begin at every 512th part of a turn: what lies just beside an obstacle that ends there is not

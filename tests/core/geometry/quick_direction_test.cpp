@@ -28,5 +28,20 @@ TEST(QuickDirection, IsTheDirection) {
   EXPECT_GT(worst, 0.0);  // it is another function
 }
 
+TEST(QuickAngle, IsNearlyThatOfAtan2) {
+  test::RandomInputs random(2);
+  double worst = 0.0;
+  const auto compare = [&](const Vec2& d) {
+    const double error = std::abs(wrap_signed(quick_angle_of(d) - std::atan2(d.y(), d.x())));
+    worst = std::max(worst, error);
+    ASSERT_LE(error, kQuickAngleError) << d.x() << " " << d.y();
+  };
+  for (int i = 0; i < 100'000; ++i) compare(random.uniform(0.1, 100.0) * direction_of(random.uniform(0.0, kTwoPi)));
+  for (const double x : {-2.0, 0.0, 2.0})
+    for (const double y : {-2.0, 0.0, 2.0})
+      if (x != 0.0 || y != 0.0) compare({x, y});
+  EXPECT_GT(worst, 0.1 * kQuickAngleError);  // it is another function
+}
+
 }  // namespace
 }  // namespace arcway::internal
