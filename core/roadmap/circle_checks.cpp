@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "core/geometry/quick_direction.h"
+#include "core/roadmap/may_contain.h"
 #include "core/roadmap/tangent_edges.h"
 
 namespace arcway::internal {
@@ -85,13 +87,18 @@ LinkRow CircleChecks::departures(std::uint32_t circle, const HeadingSet& free, c
   visit_destinations(circle, clock, around, [&](std::uint32_t to) {
     end_if_over(ticker);
     ++row.counts.candidates;
-    const auto line = directed_bitangent(from, circles_.all()[to]);
+    const auto line = line_of_bitangent(from, circles_.all()[to]);
     if (!line) {
       ++row.counts.overlaps;
-    } else if (!free.contains(line->start.heading)) {
-      ++row.counts.departures;
+      return;
+    }
+    // Most headings are blocked by far, which one that is nearly right shows.
+    const bool may_be_free = may_contain(free, quick_angle_of(line->along), kQuickAngleError);
+    const double heading = may_be_free ? line->heading() : 0.0;
+    if (may_be_free && free.contains(heading)) {
+      row.links.push_back({circle, to, heading, line->length});
     } else {
-      row.links.push_back({circle, to, line->start.heading, line->length});
+      ++row.counts.departures;
     }
   });
   std::sort(row.links.begin(), row.links.end(), [](const FeasibleLink& a, const FeasibleLink& b) {

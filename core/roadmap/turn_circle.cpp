@@ -17,16 +17,20 @@ double turn_between(double from, double to, Side side) {
   return turn > kTwoPi - kNoTurn ? 0.0 : turn;
 }
 
-std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to) {
+std::optional<BitangentLine> line_of_bitangent(const TurnCircle& from, const TurnCircle& to) {
   const Vec2 d = to.center - from.center;
   const double offset = sign_of(to.side) * to.radius - sign_of(from.side) * from.radius;
   const double square = (d.norm() - std::abs(offset)) * (d.norm() + std::abs(offset));
   if (!(square > 0.0)) return std::nullopt;
   const double length = std::sqrt(square);
   // In the frame of the line's direction t and left normal n: d = length t + offset n.
-  const Vec2 t = length * d - offset * perpendicular(d);
-  const double heading = std::atan2(t.y(), t.x());
-  return Bitangent{pose_on(from, wrap_positive(heading)), length};
+  return BitangentLine{length * d - offset * perpendicular(d), length};
+}
+
+std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to) {
+  const auto line = line_of_bitangent(from, to);
+  if (!line) return std::nullopt;
+  return Bitangent{pose_on(from, line->heading()), line->length};
 }
 
 namespace {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
+#include "arcway/angle.h"
 #include "arcway/path.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
@@ -38,6 +40,15 @@ struct Bitangent {
 /// Error of both ends: a few units in the last place of the coordinates.
 /// @return nothing if none exists: one circle lies inside the other, or opposite circles overlap.
 std::optional<Bitangent> directed_bitangent(const TurnCircle& from, const TurnCircle& to);
+
+/// What directed_bitangent finds, without its pose: some vector along the line, and its length.
+struct BitangentLine {
+  Vec2 along;
+  double length;
+  /// The heading of the bitangent [rad], in [0, 2 pi).
+  [[nodiscard]] double heading() const { return wrap_positive(std::atan2(along.y(), along.x())); }
+};
+std::optional<BitangentLine> line_of_bitangent(const TurnCircle& from, const TurnCircle& to);
 
 /// Radius of the circle about the rotation center of a turn to a side that the body's inner side touches [m], both in
 /// the turn and on the straights before and after it. 0 if the center does not lie beyond that side. It equals rho_in
