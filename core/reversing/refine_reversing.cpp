@@ -28,8 +28,8 @@ namespace arcway::internal {
 
 namespace {
 
-// Share of the cost that a step must save.
-constexpr double kLeastSaving = 1e-6;
+// Share of the cost that a step must save. 1e-6 takes a sixth more trials for plans that are as fast in the mean.
+constexpr double kLeastSaving = 1e-4;
 
 void append(Path& path, const PathSegment& segment) {
   if (segment.length > 0.0) path.push_back(segment);
