@@ -96,6 +96,7 @@ bool PlanRun::holds(const When& when) {
     if (!has_gap(cost, when.gap, when.gap_counts_zones)) return false;
   }
   if (when.best_gap > 0.0 && !has_gap(best_cost_, when.best_gap, when.gap_counts_zones)) return false;
+  if (when.most_gap < kInfinity && has_gap(best_cost_, when.most_gap, when.gap_counts_zones)) return false;
   return when.tight_end == 0.0 || is_tight(request.start, Direction::kFromStart, when.tight_end) ||
          is_tight(request.goal, Direction::kToGoal, when.tight_end);
 }

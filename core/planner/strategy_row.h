@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -46,6 +47,7 @@ struct When {
   bool grows_trees = false;       ///< trees are wanted: PlanLimits::tree_poses, PlannerOptions::maneuver_poses
   double gap = 0.0;       ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
   double best_gap = 0.0;  ///< least gap of the best plan so far
+  double most_gap = std::numeric_limits<double>::infinity();  ///< largest gap of the best plan so far
   /// Whether what zones with speed limits add to the time counts as gap. Where it does not, the row can save little of
   /// it. Only on a roadmap of the tightest radii: it always counts where there are several.
   bool gap_counts_zones = false;

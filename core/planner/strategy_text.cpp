@@ -149,6 +149,7 @@ std::string text_of(const When& when) {
   add(when.refines && when.care != Care::kThorough, "refined");
   add(when.gap > 0.0, "gap > " + percent(when.gap));
   add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));
+  add(std::isfinite(when.most_gap), "best gap up to " + percent(when.most_gap));
   add(when.gap_counts_zones, "what zones add counts");
   add(when.tight_end > 0.0,
       "an end turns less than " + shortest_text(std::round(when.tight_end * 1800.0 / kPi) / 10.0) + " degrees");

@@ -93,7 +93,7 @@ TEST(PlanSteps, RefineAWayOnce) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
   const World world(
       {test::box(0.0, -3.0, 1.0, 60.0), test::box(10.0, -60.0, 11.0, 3.0), test::box(20.0, -3.0, 21.0, 60.0)});
-  const PlanRequest request{.start = {-15.0, 0.0, 0.0}, .goal = {35.0, 0.0, 0.0}};
+  const PlanRequest request{.start = {-40.0, 0.0, 0.0}, .goal = {60.0, 0.0, 0.0}};
   const PlanResult all = Planner(world, vehicle, {}).plan(request);
   std::vector<std::string> other_radii;
   for (const StrategyRow& row : kStrategy)
@@ -101,6 +101,7 @@ TEST(PlanSteps, RefineAWayOnce) {
   ASSERT_FALSE(other_radii.empty());
   const PlanResult few = Planner(world, vehicle, {.leave_out = other_radii}).plan(request);
   ASSERT_TRUE(all.solved());
+  ASSERT_LT(all.optimality_gap(), kTooFarForRadii);
   EXPECT_EQ(all.travel_time, few.travel_time);
   EXPECT_EQ(all.statistics.refine_trials, few.statistics.refine_trials);
   EXPECT_GT(all.statistics.nodes_expanded, few.statistics.nodes_expanded);

@@ -10,7 +10,9 @@
 #include <variant>
 #include <vector>
 
+#include "arcway/datasets/catalog.h"
 #include "arcway/datasets/clutter.h"
+#include "arcway/datasets/driven_world.h"
 #include "arcway/datasets/random_queries.h"
 #include "arcway/planner.h"
 #include "core/planner/strategy_text.h"
@@ -94,6 +96,26 @@ TEST(Strategy, DearForwardPathsAreNotImproved) {
     ASSERT_TRUE(plan.solved());
     EXPECT_EQ(plan.statistics.maneuver_poses > without.plan(request).statistics.maneuver_poses, !reverse);
   }
+}
+
+// Other radii and turns are no help far from the lower bound: rows for them make no difference there.
+TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
+  const std::vector<std::string> rows{"3 radii, 4 x lateral acceleration", "2 radii, 16 x lateral acceleration",
+                                      "faster turns", "slower turns"};
+  const auto tries_them = [&](const char* name) {
+    const auto driven = catalog_driven_world(name);
+    const World world = to_world(driven->map, name);
+    const PlanRequest request{.start = *driven->map.start, .goal = *driven->map.goal};
+    const auto expanded = [&](const std::vector<std::string>& left_out) {
+      const Planner planner(world, Vehicle(driven->robot), {.graph_mode = GraphMode::kLazy, .leave_out = left_out});
+      return planner.plan(request).statistics.nodes_expanded;
+    };
+    return expanded({}) > expanded(rows);
+  };
+  EXPECT_TRUE(tries_them("driven/rooms/r4/g1/c50/s2019"));    // several radii, a gap of 8 %
+  EXPECT_FALSE(tries_them("driven/rooms/r5/g1/c50/s2011"));   // 119 %
+  EXPECT_TRUE(tries_them("driven/hugging/r2/g1/c50/s2017"));  // one radius, 4 %
+  EXPECT_FALSE(tries_them("driven/rooms/r1/g1/c50/s2007"));   // 27 %
 }
 
 // Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
