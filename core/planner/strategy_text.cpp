@@ -110,9 +110,10 @@ struct StepText {
     return "search again, for a vehicle of " + shortest_text(step.factor) + " x lateral acceleration";
   }
   std::string operator()(const TryOtherRadii& step) const {
-    return "search again, with the first " + std::to_string(step.radii) + " radii, for a vehicle of " +
-           shortest_text(step.factor) + " x lateral acceleration, unless that takes " + percent(step.slower) +
-           " longer than the best path";
+    return std::string(step.radii == 1 ? "search again, with the first radius"
+                                       : "search again, with the first " + std::to_string(step.radii) + " radii") +
+           ", for a vehicle of " + shortest_text(step.factor) + " x lateral acceleration, unless that takes " +
+           percent(step.slower) + " longer than the best path";
   }
   std::string operator()(const RefineBest&) const { return "refine the best path further"; }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
