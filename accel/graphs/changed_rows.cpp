@@ -208,14 +208,14 @@ std::vector<const Place*> ChangedRows::seen_by(VertexId vertex) const {
 std::vector<VertexId> ChangedRows::behind(VertexId vertex, std::span<const Place* const> seen) const {
   const Vec2& here = world_.vertex(vertex);
   std::vector<VertexId> found;
-  for (const auto& place : places_.all) {
-    const bool is_left = &place < &places_.all[places_.removed];
-    if (!is_left && !place->box.contains(here)) continue;
-    if (std::ranges::none_of(seen, [&](const Place* p) { return may_see_along_line(here, *p, *place); })) continue;
-    for (std::size_t i = 0; i < place->viewers.size(); ++i) {
-      const Vec2 along = place->viewers_at[i] - here;
-      if (std::abs(cross(along, place->center - here)) > (1.0 + 1e-9) * place->radius * along.norm()) continue;
-      const VertexId v = map_.after(place->viewers[i]);
+  for (std::size_t p = 0; p < places_.all.size(); ++p) {
+    const Place& place = *places_.all[p];
+    if (p >= places_.removed && !place.box.contains(here)) continue;
+    if (std::ranges::none_of(seen, [&](const Place* s) { return may_see_along_line(here, *s, place); })) continue;
+    for (std::size_t i = 0; i < place.viewers.size(); ++i) {
+      const Vec2 along = place.viewers_at[i] - here;
+      if (std::abs(cross(along, place.center - here)) > (1.0 + 1e-9) * place.radius * along.norm()) continue;
+      const VertexId v = map_.after(place.viewers[i]);
       if (v != kNone && v != vertex && world_.is_graph_vertex(v)) found.push_back(v);
     }
   }

@@ -63,6 +63,25 @@ TEST(ChangedRows, AreThoseOfTheWorldAfterEachChange) {
   EXPECT_GT(kept_rows, 500u);
 }
 
+TEST(ChangedRows, AreRightWhereObstaclesOnlyVanish) {
+  std::size_t changes = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const World world = test::nasty_world(seed + 300, 14);
+    if (world.obstacle_count() == 0) continue;
+    const std::vector<ObstacleId> removed{static_cast<ObstacleId>(seed % world.obstacle_count())};
+    const World after = world.changed(removed, {});
+    const auto rows = make_lazy_rows(world);
+    const WorldChange change(world, after, removed);
+    const auto changed = rows->changed(after, change, make_reference_queries(after).visibility);
+    if (!changed) continue;
+    ++changes;
+    expect_right(*rows, *changed, after, change);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(changes, 20u);
+}
+
 // A vertex that was covered by an obstacle which came and went again is new.
 TEST(ChangedRows, MayDifferWhereWhatCoveredAVertexGoesAgain) {
   const World world({{test::square(0, 0, 4), {}},
