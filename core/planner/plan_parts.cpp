@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/plan_run.h"
@@ -40,28 +41,30 @@ void PlanRun::take(const PlanParts& step, double trials) {
   }
 }
 
+PlanRequest PlanRun::request_between(std::size_t from, std::size_t to) const {
+  const Path& whole = best();
+  const std::vector<double>& speeds = workspace_.profile.speeds;
+  PlanRequest request = query_.request;
+  if (from > 0) {
+    request.start = whole[from].start;
+    request.start_speed = signed_speed(speeds[from], whole[from].gear);
+  }
+  if (to < whole.size()) {
+    request.goal = whole[to].start;
+    request.goal_speed = signed_speed(speeds[to], whole[to - 1].gear);
+  }
+  return request;
+}
+
 bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double trials) {
   const std::span<const PathSegment> whole = best();
   const double time = travel_time(best());
-  const SpeedProfile& profile = workspace_.profile;
-  const std::size_t from = joint_next_to(part.begin * time, profile.durations);
-  const std::size_t to = joint_next_to(part.end * time, profile.durations);
+  const std::vector<double>& durations = workspace_.profile.durations;
+  const std::size_t from = joint_next_to(part.begin * time, durations);
+  const std::size_t to = joint_next_to(part.end * time, durations);
   if (to <= from || to - from == whole.size()) return false;
 
-  const auto before = whole.first(from), behind = whole.subspan(to);
-  PlanRequest request = query_.request;
-  if (!before.empty()) {
-    request.start = whole[from].start;
-    request.start_speed = signed_speed(profile.speeds[from], whole[from].gear);
-  }
-  if (!behind.empty()) {
-    request.goal = behind.front().start;
-    request.goal_speed = signed_speed(profile.speeds[to], whole[to - 1].gear);
-  }
-  if (request.max_gear_changes) {
-    const std::size_t others = cusps_of(before) + cusps_of(behind), most = *request.max_gear_changes;
-    request.max_gear_changes = static_cast<std::uint32_t>(most - std::min(most, others));
-  }
+  const PlanRequest request = request_between(from, to);
   PlanLimits limits = query_.limits;
   limits.tree_poses = static_cast<std::uint32_t>(step.tree_share * static_cast<double>(limits.tree_poses));
   const QueryContext query{query_.maps, query_.options, request, limits, query_.clock};
@@ -69,8 +72,8 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double t
   planned.lower_bound =
       travel_time_lower_bound(request.start, request.goal, (request.goal.position() - request.start.position()).norm(),
                               map_.vehicle, request.reverse, query.ends(), map_.speed_zones.get());
-  const auto durations = std::span(profile.durations).subspan(from, to - from);
-  if (std::reduce(durations.begin(), durations.end()) <= (1.0 + step.gap) * planned.lower_bound) return false;
+  const auto of_part = std::span(durations).subspan(from, to - from);
+  if (std::reduce(of_part.begin(), of_part.end()) <= (1.0 + step.gap) * planned.lower_bound) return false;
 
   if (!workspace_.part) workspace_.part = std::make_unique<PlanWorkspace>();
   PlanRun run(query, *workspace_.part, planned, Scope::kPart);
@@ -78,10 +81,11 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double t
   result_.statistics += planned.statistics;
   result_.interrupted = result_.interrupted || planned.interrupted;
   if (!run.found()) return true;
-  Path joined(before.begin(), before.end());
+  Path joined(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(from));
   joined.insert(joined.end(), run.best().begin(), run.best().end());
-  joined.insert(joined.end(), behind.begin(), behind.end());
-  if (cost_of(joined) >= best_cost_) return true;
+  joined.insert(joined.end(), whole.begin() + static_cast<std::ptrdiff_t>(to), whole.end());
+  // The gear may change between parts too.
+  if (cusps_of(joined) > gear_changes_.most || cost_of(joined) >= best_cost_) return true;
   const RefineMode mode = std::ranges::any_of(joined, is_reversing) ? RefineMode::kBothGears : RefineMode::kForwards;
   keep(std::move(joined), 0, trials, mode);
   return false;

@@ -151,6 +151,8 @@ class PlanRun {
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);
+  // The request for what lies between two joints of the best path, with the speeds of the profile there.
+  [[nodiscard]] PlanRequest request_between(std::size_t from, std::size_t to) const;
   // Refines a path, unless that promises nothing, and keeps it if it is the cheapest one.
   // `way`: see SearchResult.
   Times keep(Path&& path, std::uint64_t way, double trials, RefineMode mode);

@@ -158,8 +158,7 @@ inline constexpr StrategyRow kStrategy[] = {
     {"lower bound around obstacles", {.known = Known::kPath, .driving = Driving::kBothGears}, RaiseLowerBound{}},
     {"roadmap backwards", {.driving = Driving::kBothGears}, JoinBackwards{}},
     // The way out of a narrow place. Of 160 driven worlds it makes none faster whose gap is below 0.2. More poses make
-    // no
-    // plan faster.
+    // no plan faster.
     {"changes of gear near the ends",
      {.driving = Driving::kBothGears, .gap = 0.2},
      JoinBetweenGears{{.cells = 8.0, .most = 12, .most_expansions = 100}}},
@@ -287,8 +286,7 @@ inline constexpr StrategyRow kStrategy[] = {
      {.known = Known::kNarrowPath, .driving = Driving::kBothGears},
      GrowGearTrees{16'000}},
     // Places to turn further away. It makes 5 of 60 driven worlds faster, none of a gap below 0.5, and the catalog's
-    // car
-    // park from 0.36 on. A gap of 0.2 takes a fifth longer in all.
+    // car park from 0.36 on. A gap of 0.2 takes a fifth longer in all.
     {"changes of gear further away",
      {.driving = Driving::kBothGears, .gap = 0.3},
      JoinBetweenGears{{.cells = 2.0, .most = 99, .most_expansions = 1000}}},
@@ -298,10 +296,8 @@ inline constexpr StrategyRow kStrategy[] = {
     {"trees of a slim body", kNarrowAfterGears, kSlimTrees, kUntilCompared},
 
     // In both gears, it makes 8 of 59 driven worlds with 5 cm of room faster, by up to 11 %, and 6 of 46 with 2 mm, by
-    // up
-    // to 25 %, for 1.4 times the time in all. Forwards it makes 4 of 63 with 2 mm faster, none of 60 with 5 cm, where
-    // it
-    // costs nothing.
+    // up to 25 %, for 1.4 times the time in all. Forwards it makes 4 of 63 with 2 mm faster, and none of 60 with 5 cm,
+    // where it costs nothing.
     {"parts planned again",
      {.known = Known::kPath, .whole = true, .refines = true, .grows_trees = true},
      PlanParts{.parts = kParts, .gap = 0.25, .tree_share = 0.25, .most_failed = 3}},
