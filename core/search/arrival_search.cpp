@@ -506,7 +506,8 @@ class ArrivalSearch::Run {
     const std::size_t joints = speeds.size();
     const double speed = vehicle_.turn_speed(label.radius), cost = w_.times.clearance_cost(label.joint);
     double limit = kInfinity;
-    const double same = kSameTime * (label.number / kExactArrivals) * speeds[label.joint].time;
+    const std::uint32_t tolerances = label.number / kExactArrivals;  // whole ones
+    const double same = kSameTime * tolerances * speeds[label.joint].time;
     const auto slack = [&](std::uint32_t i) {
       return i < known_labels_ ? std::max(same, context_.options.least_gain) : same;
     };
