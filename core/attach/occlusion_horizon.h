@@ -79,22 +79,17 @@ class OcclusionHorizon {
     constexpr std::array<std::uint8_t, kOctants> kOctant{4, 5, 7, 6, 3, 2, 0, 1};
     return kOctant[(d.y() > 0.0 ? 4u : 0u) + (d.x() > 0.0 ? 2u : 0u) + (std::abs(d.y()) > std::abs(d.x()) ? 1u : 0u)];
   }
-  // A tangent line: some vector along it, and its length; 0: there may be none.
-  struct Line {
-    Vec2 along;
-    double length;
-  };
-  // In the frame of the line's direction t and left normal n: d = length t + offset n.
-  [[nodiscard]] std::optional<Line> line_to(const TurnCircle& to) const {
+  // As line_of_bitangent, up to rounding and quicker. Nothing if there is certainly none; length 0: there may be none.
+  [[nodiscard]] std::optional<BitangentLine> line_to(const TurnCircle& to) const {
     const Vec2 d = to.center - circle_.center;
     const double offset = sign_of(to.side) * to.radius - sign_of(circle_.side) * circle_.radius;
     const double square = d.squaredNorm() - offset * offset, rounding = kHorizonSlack * offset * offset;
     if (square < -rounding) return std::nullopt;
-    if (!(square > rounding)) return Line{d, 0.0};  // they may touch
+    if (!(square > rounding)) return BitangentLine{d, 0.0};  // they may touch
     const double length = std::sqrt(square);
-    return Line{length * d - offset * perpendicular(d), length};
+    return BitangentLine{length * d - offset * perpendicular(d), length};
   }
-  [[nodiscard]] static TangentLine tangent_along(const Line& line) {
+  [[nodiscard]] static TangentLine tangent_along(const BitangentLine& line) {
     const double heading = quick_angle_of(line.along);
     return {heading < 0.0 ? heading + kTwoPi : heading, line.length};
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "arcway/path.h"
+
 namespace arcway::internal {
 
 /// Share by which a path may exceed the acceleration where its end speeds are out of reach else. A plan that goes on
@@ -16,5 +18,8 @@ struct EndSpeeds {
   [[nodiscard]] EndSpeeds reversed() const { return {0.0 - goal, 0.0 - start}; }
   friend bool operator==(const EndSpeeds&, const EndSpeeds&) = default;
 };
+
+/// A speed along the body: negative in reverse. Never -0.
+inline double signed_speed(double speed, Gear gear) { return gear == Gear::kForward ? speed : 0.0 - speed; }
 
 }  // namespace arcway::internal

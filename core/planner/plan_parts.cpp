@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/motion/end_speeds.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/plan_run.h"
 
@@ -24,8 +25,6 @@ std::size_t joint_next_to(double time, std::span<const double> durations) {
   }
   return durations.size();
 }
-
-double signed_speed(double speed, Gear gear) { return gear == Gear::kForward ? speed : 0.0 - speed; }
 
 bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kReverse; }
 

@@ -10,6 +10,7 @@
 #include "arcway/angle.h"
 #include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
+#include "core/motion/end_speeds.h"
 #include "core/tasks/motion_parts.h"
 
 namespace arcway::internal {
@@ -110,8 +111,8 @@ double PathRepair::nearest() const {
 
 double PathRepair::signed_limited(double speed, Gear gear) const {
   const Vehicle& vehicle = queries_.vehicle;
-  return gear == Gear::kForward ? std::min(speed, vehicle.max_speed())
-                                : 0.0 - std::min(speed, vehicle.max_reverse_speed());
+  return signed_speed(std::min(speed, gear == Gear::kForward ? vehicle.max_speed() : vehicle.max_reverse_speed()),
+                      gear);
 }
 
 std::optional<std::vector<TimedSegment>> PathRepair::joined(double leaves, double rejoins,
