@@ -138,45 +138,53 @@ double PlanRun::travel_time(const Path& path) {
   return arcway::internal::travel_time(path, map_.vehicle, query_.ends(), workspace_.profile, map_.speed_zones.get());
 }
 
-void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
-  const Stopwatch refining;
-  RefinedPath& refined = workspace_.refined;
+RefineQuery PlanRun::refine_query(const Path& path, const Vehicle& vehicle, double trials) const {
   RefineOptions refinement = query_.options.refinement;
   refinement.max_trials = static_cast<std::uint32_t>(
       std::min(trials * refinement.max_trials, 1.0 * std::numeric_limits<std::uint32_t>::max()));
-  if (refinement.max_trials == 0) {
+  return {.path = path,
+          .start = query_.request.start,
+          .goal = query_.request.goal,
+          .vehicle = vehicle,
+          .sweep = *map_.queries.sweep,
+          .options = refinement,
+          .clock = search_options_.clock,
+          .world = &map_.world,
+          .outlines = map_.outlines.get(),
+          .ends = query_.ends(),
+          .lower_bound = least_cost(),
+          .worth_optimizing = (1.0 + kRoughlySlower) * best_rough_,
+          .speed_zones = map_.speed_zones.get(),
+          .clearance_cost = map_.clearance_cost.get(),
+          .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};
+}
+
+void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
+  const Stopwatch refining;
+  RefinedPath& refined = workspace_.refined;
+  RefineQuery query = refine_query(path, map_.vehicle, trials);
+  query.at_length = mode == RefineMode::kAtLength;
+  if (query.options.max_trials == 0) {
     refined.path = path;
     return;
   }
-  const RefineQuery query{.path = path,
-                          .start = query_.request.start,
-                          .goal = query_.request.goal,
-                          .vehicle = map_.vehicle,
-                          .sweep = *map_.queries.sweep,
-                          .options = refinement,
-                          .clock = search_options_.clock,
-                          .world = &map_.world,
-                          .outlines = map_.outlines.get(),
-                          .at_length = mode == RefineMode::kAtLength,
-                          .ends = query_.ends(),
-                          .lower_bound = least_cost(),
-                          .worth_optimizing = (1.0 + kRoughlySlower) * best_rough_,
-                          .speed_zones = map_.speed_zones.get(),
-                          .clearance_cost = map_.clearance_cost.get(),
-                          .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};
   if (mode == RefineMode::kBothGears) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {
     workspace_.refiner.refine(query, refined);
     if (refined.rough_cost > 0.0) best_rough_ = std::min(best_rough_, refined.rough_cost);
   }
+  count(refined, refining.seconds());
+}
+
+void PlanRun::count(const RefinedPath& refined, double seconds) {
   PlanStatistics& s = result_.statistics;
   result_.interrupted = result_.interrupted || refined.interrupted;
   s.refine_trials += refined.trials;
   s.refine_improvements += refined.improvements;
   s.straights_checked += refined.straights_checked;
   s.turns_checked += refined.turns_checked;
-  s.refine_seconds += refining.seconds();
+  s.refine_seconds += seconds;
 }
 
 const RefinedWay* PlanRun::refined_before(std::uint64_t way, double unrefined) const {
@@ -207,6 +215,7 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
     best_unrefined_ = {time, unrefined};
+    is_refined_at_length_ = false;
     s.unrefined_travel_time = time;
     found_ = true;
   }

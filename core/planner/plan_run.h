@@ -132,6 +132,7 @@ class PlanRun {
   void take(const JoinBetweenGears& step, double trials);
   void take(const GrowGearTrees& step, double trials);
   void take(const GrowNarrowGearTrees& step, double trials);
+  void take(const GrowSlimGearTrees& step, double trials);
   void take(const PlanParts& step, double trials);
 
   [[nodiscard]] const PlanMaps& maps_on(On on) const;
@@ -160,6 +161,12 @@ class PlanRun {
   [[nodiscard]] const RefinedWay* refined_before(std::uint64_t way, double unrefined) const;
   // Refines a path into the workspace.
   void refine(const Path& path, double trials, RefineMode mode);
+  // How a path of a vehicle is refined.
+  [[nodiscard]] RefineQuery refine_query(const Path& path, const Vehicle& vehicle, double trials) const;
+  // Counts what a refinement did.
+  void count(const RefinedPath& refined, double seconds);
+  // A free path in both gears, from rest to rest, near one of a slim body; nothing if none is found.
+  [[nodiscard]] std::optional<Path> pushed_free(const Path& path, const Pose& goal, const Vehicle& slim, double trials);
   // Appends a path from pose to pose.
   // @return the number of legs that were found until one was not.
   std::size_t drive_over(std::span<const Pose> poses, Path& path);
@@ -205,7 +212,9 @@ class PlanRun {
   bool is_path_refused_ = false;                     // a path of a slimmer body could not be pushed free
   bool are_trees_vain_ = false;                      // trees of a slimmer body found no path either
   std::optional<ReversingSearch> reversing_;
+  bool is_refined_at_length_ = false;  // the best path, by RefineBest
   bool is_gear_path_kept_ = false;
+  bool are_slim_gears_grown_ = false;  // trees in both gears of slim bodies
   bool is_narrow_ = false;  // a path was found by trees of a slim body, or by those in both gears for narrow places
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };

@@ -179,7 +179,8 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   is_path_refused_ = end.refused > 0;
   are_trees_vain_ = !is_path_refused_ && is_hopeless;
   is_narrow_ = is_narrow_ || (!has_path() && grown.search.path);
-  if (grown.search.path) keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
+  if (!grown.search.path || cost_of(*grown.search.path) > (1.0 + step.slower) * best_cost_) return;
+  keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
 }
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
@@ -343,6 +344,7 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
 }
 
 void PlanRun::take(const RefineBest&, double trials) {
+  if (std::exchange(is_refined_at_length_, true)) return;
   refine(workspace_.best, trials, RefineMode::kAtLength);
   const double cost = cost_of(workspace_.refined.path);
   if (cost >= best_cost_) return;
@@ -380,6 +382,45 @@ void PlanRun::take(const GrowNarrowGearTrees& step, double) {
   search([&] { return reversing_search().grow_narrow_gear_trees(step.poses); });
   only_narrow_gears_ = reversing_->path().has_value();
   is_narrow_ = is_narrow_ || only_narrow_gears_;
+}
+
+std::optional<Path> PlanRun::pushed_free(const Path& path, const Pose& goal, const Vehicle& slim, double trials) {
+  const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
+  if (refines()) {
+    const Stopwatch refining;
+    RefineQuery query = refine_query(path, slim, trials);
+    query.start = path.front().start;
+    query.goal = goal;
+    query.ends = {};
+    const RefinedPath refined = refine_reversing_path(query, gear_changes_);
+    count(refined, refining.seconds());
+    if (auto free = push_free(refined.path, goal, space, query_.clock)) return free;
+  }
+  return push_free(path, goal, space, query_.clock);
+}
+
+void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
+  const bool is_known = has_path();
+  keep_in_both_gears();
+  if (std::exchange(are_slim_gears_grown_, true)) return;
+  if (!has_gap(best_cost_, step.gap, true)) return;
+  const double before = reversing_search().cost();
+  const double most = (1.0 + step.slower) * best_cost_;
+  for (std::size_t body = 0; body < kSlimBodies.size(); ++body) {
+    const Roadmap* slim = query_.maps.slim(body, query_.clock);
+    if (!slim) break;
+    bool is_refused = false;
+    const auto widened = [&](const Path& path, const Pose& goal) {
+      std::optional<Path> free = pushed_free(path, goal, slim->vehicle, trials);
+      is_refused = !free;
+      return free;
+    };
+    search([&] { return reversing_search().grow_slim_gear_trees(*slim, step.poses, most, widened); });
+    if (!is_refused) break;
+  }
+  if (reversing_->cost() >= before) return;
+  is_gear_path_kept_ = false;
+  is_narrow_ = is_narrow_ || !is_known;
 }
 
 }  // namespace arcway::internal

@@ -77,6 +77,21 @@ inline constexpr GrowSlimTrees kSlimTrees{
     .body = 0, .passes = kSlimPasses, .when = WhenSlim::kUnlessClosed, .shortening = 2000, .shortenings = 10};
 inline constexpr GrowSlimTrees kShortSlimTrees{
     .body = 0, .passes = kShortSlimPasses, .when = WhenSlim::kUnlessClosed, .shortening = 2000, .shortenings = 10};
+// A path that may be faster is mostly found by few poses, or by none.
+inline constexpr std::array<TreePass, 1> kFewSlimPasses{{{1.0 / 64.0, 4, 0.005, false}}};
+inline constexpr std::array<TreePass, 1> kMoreSlimPasses{{{1.0 / 64.0, 4, 0.016, false}}};
+inline constexpr GrowSlimTrees kFewSlimTrees{.body = 0,
+                                             .passes = kFewSlimPasses,
+                                             .when = WhenSlim::kUnlessClosed,
+                                             .shortening = 2000,
+                                             .shortenings = 3,
+                                             .slower = 0.5};
+inline constexpr GrowSlimTrees kMoreSlimTrees{.body = 0,
+                                              .passes = kMoreSlimPasses,
+                                              .when = WhenSlim::kUnlessClosed,
+                                              .shortening = 2000,
+                                              .shortenings = 3,
+                                              .slower = 0.5};
 inline constexpr GrowSlimTrees kLessSlimTrees{.body = 1,
                                               .passes = std::span(kTreePasses).first<1>(),
                                               .when = WhenSlim::kClosedOrRefused,
@@ -174,6 +189,11 @@ inline constexpr StrategyRow kStrategy[] = {
     {"proof of an enclosure",
      {.known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true},
      ProveEnclosure{15'000}},
+    // Where the way is narrow, trees of slim bodies find a path sooner than those of the body, with fewer changes of
+    // gear. Of 15 driven worlds that need either, they find one in 13.
+    {"narrow trees of slim bodies in both gears",
+     {.known = Known::kNoPath, .driving = Driving::kBothGears, .grows_trees = true},
+     GrowSlimGearTrees{.gap = 0.0, .poses = 4000, .slower = 0.5}},
     {"maneuvers to circles in gaps",
      {.known = Known::kNoPath},
      JoinByManeuversAndNarrowPlaces{On::kAllRadii, 100},
@@ -276,6 +296,28 @@ inline constexpr StrategyRow kStrategy[] = {
     {"3 radii, as they are", kOtherRadii, TryOtherRadii{.radii = 3, .factor = 1.0, .slower = kRefinedFaster},
      kUntilCompared},
     {"refinement at length", {.known = Known::kForwardPath, .radii = Radii::kSeveral}, RefineBest{}, {.several = 24.0}},
+    // Paths around vertices take the long way where wide turns between obstacles are free. Of 240 driven worlds, four
+    // plans were slower than the drive, by up to 9.6 %, and these rows mend all. They take 7 % of all the time there,
+    // and make 16 of 120 worlds faster, one by 5 %; the second one mends one of the four.
+    {"trees of a slim body, for a faster path",
+     {.known = Known::kForwardPath,
+      .driving = Driving::kForwards,
+      .whole = true,
+      .refines = true,
+      .grows_trees = true,
+      .best_gap = 0.28},
+     kFewSlimTrees,
+     kUntilCompared},
+    {"more trees of a slim body, for a faster path",
+     {.known = Known::kForwardPath,
+      .driving = Driving::kForwards,
+      .whole = true,
+      .refines = true,
+      .grows_trees = true,
+      .best_gap = 0.7},
+     kMoreSlimTrees,
+     kUntilCompared},
+    {"refinement at length", {.known = Known::kForwardPath, .radii = Radii::kSeveral}, RefineBest{}, {.several = 24.0}},
 
     // Cheaper paths, or a first one, in both gears, where the rows above are not enough.
     {"narrow trees in both gears",
@@ -285,6 +327,11 @@ inline constexpr StrategyRow kStrategy[] = {
     {"trees in both gears, behind narrow ones",
      {.known = Known::kNarrowPath, .driving = Driving::kBothGears},
      GrowGearTrees{16'000}},
+    // Of 136 driven worlds, it makes 25 faster, one by 42 %, and all three that were slower than the drive, by up to
+    // 24 %, no longer are. With a gap of 0.5 as many again become faster, for a third more of all the time.
+    {"narrow trees of slim bodies in both gears",
+     {.known = Known::kPath, .driving = Driving::kBothGears, .whole = true, .refines = true, .grows_trees = true},
+     GrowSlimGearTrees{.gap = 0.7, .poses = 4000, .slower = 0.5}},
     // Places to turn further away. It makes 5 of 60 driven worlds faster, none of a gap below 0.5, and the catalog's
     // car park from 0.36 on. A gap of 0.2 takes a fifth longer in all.
     {"changes of gear further away",

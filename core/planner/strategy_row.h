@@ -121,6 +121,8 @@ struct GrowSlimTrees {
   WhenSlim when;
   std::size_t shortening;     ///< trials of shortening a path before it is pushed
   std::uint32_t shortenings;  ///< of the free path, as for GrowTrees
+  /// A free path that is slower than the best one, at first, by more than this share is dropped.
+  double slower = std::numeric_limits<double>::infinity();
 };
 /// Raises the lower bound by the length of the way around the obstacles.
 struct RaiseLowerBound {};
@@ -166,7 +168,7 @@ struct TryOtherRadii {
   double factor;      ///< of the lateral acceleration
   double slower;      ///< than the best path so far, at most this share, for that vehicle
 };
-/// Refines the best path further.
+/// Refines the best path further, once.
 struct RefineBest {};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
@@ -182,6 +184,14 @@ struct GrowGearTrees {
 struct GrowNarrowGearTrees {
   std::size_t poses;
 };
+/// Grows trees in both gears for narrow places, of slimmer bodies one after the other: SlimMaps. Their paths are
+/// refined for the slim body, where words are free more often, and pushed off what the real body touches: push_free.
+/// Ends with the first one that gets free.
+struct GrowSlimGearTrees {
+  double gap;         ///< least gap of the best path, refined
+  std::size_t poses;  ///< of both ends together, for each body
+  double slower;      ///< than the best path before refinement, at most this share
+};
 /// A part of a path, in shares of its travel time.
 struct PathPart {
   double begin, end;
@@ -196,11 +206,12 @@ struct PlanParts {
   int most_failed;                  ///< number of parts in a row that bring nothing
 };
 
-using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
-                          JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
-                          GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers,
-                          TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii,
-                          RefineBest, JoinBackwards, JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, PlanParts>;
+using Step =
+    std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
+                 ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
+                 FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
+                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards, JoinBetweenGears,
+                 GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, PlanParts>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -63,6 +63,29 @@ TEST(PlanSteps, PlanPartsOfANarrowWayAgain) {
   EXPECT_GT(in_parts.statistics.nodes_expanded, whole.statistics.nodes_expanded);
 }
 
+// The real body's trees find the way with 14 changes of gear.
+TEST(PlanSteps, LookForAWayInBothGearsByTreesOfASlimBody) {
+  const Narrow way{"driven/hugging/r9/g2/c50/s3077", "narrow trees of slim bodies in both gears", true};
+  const PlanResult slim = plan(way, {}), real = plan(way, {way.row});
+  ASSERT_TRUE(slim.solved() && real.solved());
+  EXPECT_LT(slim.travel_time, 0.7 * real.travel_time);
+  EXPECT_LT(cusps_of(slim.path()), cusps_of(real.path()));
+}
+
+// Paths of the graph turn around vertices, the drive between them.
+TEST(PlanSteps, LookForAFasterPathByTreesOfASlimBody) {
+  const Narrow few{"driven/carved/r1/g1/c50/s3222", "trees of a slim body, for a faster path", false};
+  const Narrow more{"driven/hugging/r6/g1/c50/s3173", "more trees of a slim body, for a faster path", false};
+  for (const Narrow& way : {few, more}) {
+    SCOPED_TRACE(way.world);
+    const PlanResult slim = plan(way, {}), graph = plan(way, {way.row});
+    ASSERT_TRUE(slim.solved() && graph.solved());
+    const double drive = plan_of_drive(*catalog_driven_world(way.world)).travel_time;
+    EXPECT_LT(slim.travel_time, drive);
+    EXPECT_GT(graph.travel_time, drive);
+  }
+}
+
 class NarrowWay : public testing::TestWithParam<Narrow> {};
 
 TEST_P(NarrowWay, IsFoundByItsRowAlone) {
@@ -80,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         Narrow{"driven/hugging/r9/g1/c50/s2121", "trees of a slim body", false},
         // No motion of the real body that trees find leads out of the end; one of the slimmer body does.
         Narrow{"driven/hugging/r3/g1/c2/s2169", "trees of a less slim body", false},
-        Narrow{"driven/rooms/r9/g2/c50/s2087", "narrow trees in both gears", true}),
+        Narrow{"driven/hugging/r8/g2/c50/s3049", "narrow trees in both gears", true}),
     [](const testing::TestParamInfo<Narrow>& test) {
       std::string name = test.param.row;
       std::ranges::replace(name, ' ', '_');
