@@ -70,14 +70,14 @@ bool PlanRun::holds(Known known) const {
     case Known::kNarrowPath:
       return only_narrow_gears_;
     case Known::kGearChanges:
-      return !found_ && reversing_ && reversing_->path() && cusps_of(*reversing_->path()) > 0;
+      return !is_forward_found_ && reversing_ && reversing_->path() && cusps_of(*reversing_->path()) > 0;
   }
   return false;
 }
 
 bool PlanRun::has_forward_path() const {
   const bool is_gear_path = reversing_ && reversing_->path();
-  return found_ && (!is_gear_path || best_cost_ <= (1.0 + kWorthForwards) * reversing_->cost());
+  return is_forward_found_ && (!is_gear_path || best_cost_ <= (1.0 + kWorthForwards) * reversing_->cost());
 }
 
 bool PlanRun::holds(const When& when) {
@@ -206,6 +206,7 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
   }
   if (!found_) first_expanded_ = s.nodes_expanded - soon_expanded_;
   note_first(path, time);
+  is_forward_found_ = is_forward_found_ || mode != RefineMode::kBothGears;
   refine(path, trials, mode);
   workspace_.find.search.reuse(std::move(path));
   if (soon_) workspace_.find.search.reuse(*std::exchange(soon_, std::nullopt));
@@ -240,7 +241,7 @@ void PlanRun::note_first(const Path& path, double time) {
 }
 
 void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
-  const bool is_first = !found_;
+  const bool is_first = !is_forward_found_;
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
     path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock,
@@ -253,7 +254,7 @@ void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t sh
 }
 
 void PlanRun::keep_in_both_gears() {
-  if (!reversing_ || !reversing_->path() || std::exchange(is_gear_path_kept_, true)) return;
+  if (!reversing_ || !reversing_->path() || std::exchange(kept_, reversing_->found()) == reversing_->found()) return;
   keep(Path(*reversing_->path()), 0, kBothGearsTrials, RefineMode::kBothGears);
 }
 

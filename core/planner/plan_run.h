@@ -167,6 +167,8 @@ class PlanRun {
   void count(const RefinedPath& refined, double seconds);
   // A free path in both gears, from rest to rest, near one of a slim body; nothing if none is found.
   [[nodiscard]] std::optional<Path> pushed_free(const Path& path, const Pose& goal, const Vehicle& slim, double trials);
+  // The roadmap of a slim body: see SlimMaps. Null as well where a path is known and the map is large: it takes memory.
+  [[nodiscard]] const Roadmap* slim_map(std::size_t body) const;
   // Appends a path from pose to pose.
   // @return the number of legs that were found until one was not.
   std::size_t drive_over(std::span<const Pose> poses, Path& path);
@@ -193,8 +195,9 @@ class PlanRun {
   NoPath why_;
   bool has_proof_ = false;
   bool found_ = false;
-  double distance_;          // lower bound of the length of all paths [m]
-  double close_ends_ = 0.0;  // lower bound of what driving close to obstacles costs on all paths [s]
+  bool is_forward_found_ = false;  // a path was kept that is not one of the search in both gears
+  double distance_;                // lower bound of the length of all paths [m]
+  double close_ends_ = 0.0;        // lower bound of what driving close to obstacles costs on all paths [s]
   bool is_bound_raised_ = false;
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
   Unrefined best_unrefined_;
@@ -213,7 +216,7 @@ class PlanRun {
   bool are_trees_vain_ = false;                      // trees of a slimmer body found no path either
   std::optional<ReversingSearch> reversing_;
   bool is_refined_at_length_ = false;  // the best path, by RefineBest
-  bool is_gear_path_kept_ = false;
+  std::size_t kept_ = 0;               // number of paths that the search in both gears had found when its path was kept
   bool are_slim_gears_grown_ = false;  // trees in both gears of slim bodies
   bool is_narrow_ = false;  // a path was found by trees of a slim body, or by those in both gears for narrow places
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places

@@ -148,10 +148,15 @@ bool PlanRun::holds(WhenSlim when) const {
   return when == WhenSlim::kUnlessClosed ? !is_closed : is_closed || is_path_refused_;
 }
 
+const Roadmap* PlanRun::slim_map(std::size_t body) const {
+  const bool is_worth_memory = !has_path() || map_.world.vertices().size() <= PlanMaps::kNarrowVertices;
+  return is_worth_memory ? query_.maps.slim(body, query_.clock) : nullptr;
+}
+
 void PlanRun::take(const GrowSlimTrees& step, double trials) {
   const StopClock& clock = query_.clock;
   if (are_trees_vain_ || !holds(step.when)) return;
-  const Roadmap* slim = query_.maps.slim(step.body, clock);
+  const Roadmap* slim = slim_map(step.body);
   if (!slim) return;
   const Pose& goal = query_.request.goal;
   const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
@@ -400,15 +405,13 @@ std::optional<Path> PlanRun::pushed_free(const Path& path, const Pose& goal, con
 }
 
 void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
-  const bool is_known = has_path();
-  keep_in_both_gears();
   if (std::exchange(are_slim_gears_grown_, true)) return;
-  if (!has_gap(best_cost_, step.gap, true)) return;
-  const double before = reversing_search().cost();
-  const double most = (1.0 + step.slower) * best_cost_;
+  is_narrow_ = is_narrow_ || !has_path();
+  keep_in_both_gears();  // refined, it may be the cheaper one
+  const double most = (1.0 + step.slower) * reversing_search().cost();
   for (std::size_t body = 0; body < kSlimBodies.size(); ++body) {
-    const Roadmap* slim = query_.maps.slim(body, query_.clock);
-    if (!slim) break;
+    const Roadmap* slim = slim_map(body);
+    if (!slim) return;
     bool is_refused = false;
     const auto widened = [&](const Path& path, const Pose& goal) {
       std::optional<Path> free = pushed_free(path, goal, slim->vehicle, trials);
@@ -416,11 +419,8 @@ void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
       return free;
     };
     search([&] { return reversing_search().grow_slim_gear_trees(*slim, step.poses, most, widened); });
-    if (!is_refused) break;
+    if (!is_refused) return;
   }
-  if (reversing_->cost() >= before) return;
-  is_gear_path_kept_ = false;
-  is_narrow_ = is_narrow_ || !is_known;
 }
 
 }  // namespace arcway::internal

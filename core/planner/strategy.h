@@ -101,7 +101,7 @@ inline constexpr When kNarrowForwards{.known = Known::kNoPath, .driving = Drivin
 inline constexpr When kWholeNarrowForwards{
     .known = Known::kNoPath, .driving = Driving::kForwards, .whole = true, .grows_trees = true};
 inline constexpr When kInsteadOfGearChanges{
-    .known = Known::kGearChanges, .driving = Driving::kBothGears, .grows_trees = true, .gap = 0.5};
+    .known = Known::kGearChanges, .driving = Driving::kBothGears, .grows_trees = true, .gap = 0.5, .best_gap = 0.5};
 inline constexpr When kNarrowAfterGears{.known = Known::kNoPath, .driving = Driving::kBothGears, .grows_trees = true};
 
 // A path of other radii that is slower by this share is not worth refining. On 309 plans of three robots, 0.04 in place
@@ -193,7 +193,7 @@ inline constexpr StrategyRow kStrategy[] = {
     // gear. Of 15 driven worlds that need either, they find one in 13.
     {"narrow trees of slim bodies in both gears",
      {.known = Known::kNoPath, .driving = Driving::kBothGears, .grows_trees = true},
-     GrowSlimGearTrees{.gap = 0.0, .poses = 4000, .slower = 0.5}},
+     GrowSlimGearTrees{.poses = 4000, .slower = 0.5}},
     {"maneuvers to circles in gaps",
      {.known = Known::kNoPath},
      JoinByManeuversAndNarrowPlaces{On::kAllRadii, 100},
@@ -300,21 +300,11 @@ inline constexpr StrategyRow kStrategy[] = {
     // plans were slower than the drive, by up to 9.6 %, and these rows mend all. They take 7 % of all the time there,
     // and make 16 of 120 worlds faster, one by 5 %; the second one mends one of the four.
     {"trees of a slim body, for a faster path",
-     {.known = Known::kForwardPath,
-      .driving = Driving::kForwards,
-      .whole = true,
-      .refines = true,
-      .grows_trees = true,
-      .best_gap = 0.28},
+     {.known = Known::kForwardPath, .whole = true, .refines = true, .grows_trees = true, .best_gap = 0.28},
      kFewSlimTrees,
      kUntilCompared},
     {"more trees of a slim body, for a faster path",
-     {.known = Known::kForwardPath,
-      .driving = Driving::kForwards,
-      .whole = true,
-      .refines = true,
-      .grows_trees = true,
-      .best_gap = 0.7},
+     {.known = Known::kForwardPath, .whole = true, .refines = true, .grows_trees = true, .best_gap = 0.7},
      kMoreSlimTrees,
      kUntilCompared},
     {"refinement at length", {.known = Known::kForwardPath, .radii = Radii::kSeveral}, RefineBest{}, {.several = 24.0}},
@@ -330,8 +320,13 @@ inline constexpr StrategyRow kStrategy[] = {
     // Of 136 driven worlds, it makes 25 faster, one by 42 %, and all three that were slower than the drive, by up to
     // 24 %, no longer are. With a gap of 0.5 as many again become faster, for a third more of all the time.
     {"narrow trees of slim bodies in both gears",
-     {.known = Known::kPath, .driving = Driving::kBothGears, .whole = true, .refines = true, .grows_trees = true},
-     GrowSlimGearTrees{.gap = 0.7, .poses = 4000, .slower = 0.5}},
+     {.known = Known::kPath,
+      .driving = Driving::kBothGears,
+      .whole = true,
+      .refines = true,
+      .grows_trees = true,
+      .gap = 0.7},
+     GrowSlimGearTrees{.poses = 4000, .slower = 0.5}},
     // Places to turn further away. It makes 5 of 60 driven worlds faster, none of a gap below 0.5, and the catalog's
     // car park from 0.36 on. A gap of 0.2 takes a fifth longer in all.
     {"changes of gear further away",

@@ -188,7 +188,6 @@ struct GrowNarrowGearTrees {
 /// refined for the slim body, where words are free more often, and pushed off what the real body touches: push_free.
 /// Ends with the first one that gets free.
 struct GrowSlimGearTrees {
-  double gap;         ///< least gap of the best path, refined
   std::size_t poses;  ///< of both ends together, for each body
   double slower;      ///< than the best path before refinement, at most this share
 };

@@ -132,7 +132,7 @@ struct StepText {
   }
   std::string operator()(const GrowSlimGearTrees& step) const {
     return "grow trees in both gears for narrow places, of slim bodies, and push their paths free: " +
-           std::to_string(step.poses) + " poses" + (step.gap > 0.0 ? ", if its gap is above " + percent(step.gap) : "");
+           std::to_string(step.poses) + " poses";
   }
 };
 

@@ -245,6 +245,7 @@ bool ReversingSearch::offer(const Path& path) {
       path, map_.vehicle, {ends_, map_.speed_zones.get(), map_.clearance_cost.get(), options_.cusp_cost}, profile);
   if (cost >= cost_) return true;
   path_ = merged(path);
+  ++found_;
   cost_ = cost;
   return true;
 }

@@ -65,6 +65,8 @@ class ReversingSearch {
 
   /// The cheapest path found so far, if any.
   [[nodiscard]] const std::optional<Path>& path() const { return path_; }
+  /// Number of paths found so far, each cheaper than those before.
+  [[nodiscard]] std::size_t found() const { return found_; }
   /// Cost of the cheapest path that is known, found here or not; infinite where there is none [s].
   [[nodiscard]] double cost() const { return cost_; }
 
@@ -105,6 +107,7 @@ class ReversingSearch {
   bool has_stops_ = true;
   ArrivalSearch& arrivals_;
   std::optional<Path> path_;
+  std::size_t found_ = 0;
   double cost_;
 };
 
