@@ -18,6 +18,14 @@ void extend_by(Box& box, const TurnCircle& circle) {
   box.extend(circle.center + half);
 }
 
+Box box_of(const Outlines::Piece& piece, const TurnCircles& circles) {
+  Box box = piece.box;
+  for (std::size_t k = 0; k < piece.edge_count(); ++k)
+    circles.visit_by_first(static_cast<VertexId>(piece.first + k),
+                           [&](std::uint32_t c) { extend_by(box, circles.all()[c]); });
+  return box;
+}
+
 bool contains(const Box& box, const Box& part) { return box.contains(part.min) && box.contains(part.max); }
 
 }  // namespace
@@ -89,7 +97,7 @@ CirclePlaces::CirclePlaces(const CirclePlaces& before, std::shared_ptr<const Fea
   auto changed = std::make_shared<Changed>(std::move(graph), pieces.size());
   std::vector<Box> boxes;
   for (const std::uint32_t i : doubtful) {
-    const Box box = Built().append(pieces[i], changed->graph->turn_circles());
+    const Box box = box_of(pieces[i], changed->graph->turn_circles());
     Box built_box;
     if (i < built_count) {
       built_box = pieces[i].box;
