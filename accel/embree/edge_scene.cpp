@@ -9,10 +9,10 @@ namespace {
 constexpr VertexId kMostTogether = 5;
 constexpr double kLongestBox = 4.0;  // longest side of a box of several edges, in mean edge lengths of the world
 
-// Largest number of edges added, and of obstacles removed, since a scene was built. A query looks at the boxes of all
-// added obstacles, and at all edges of those near it.
-constexpr VertexId kMostAdded = 512;
-constexpr std::size_t kMostRemoved = 64;
+// Share of a scene's edges that may have been removed, and as many added, since it was built; some in any case, and
+// never more than that. Each change makes a tree of all added obstacles.
+constexpr std::size_t kMostChangedOf = 16;
+constexpr std::size_t kMostChangedOfAny = 512, kMostChanged = 8192;
 
 constexpr double kLimit = 1.0 + 0x1p-10;  // rays are cut to this; more than the padded boxes reach
 
@@ -67,20 +67,25 @@ EdgeScene::EdgeScene(std::shared_ptr<const Device> device, const World& world, R
 
 EdgeScene::EdgeScene(const EdgeScene& before, const World& after, const VertexMap& change)
     : built_(before.built_), world_(after), map_(before.map_from_built(change)) {
-  const World::VertexRange all = map_->added();
-  for (VertexId v = all.first; v < all.last;) {
-    const ObstacleId obstacle = after.obstacle_of(v);
-    const Box& box = after.box_of(obstacle);
-    added_.push_back({after.vertices_of(obstacle), box, Box{scaled(box.min), scaled(box.max)}.grown(built_->margin)});
-    v = added_.back().edges.last;
+  std::vector<Box> boxes, all_scaled;
+  for (const World::VertexRange& edges : map_->added()) {
+    const Box& box = after.box_of(after.obstacle_of(edges.first));
+    added_.push_back(edges);
+    boxes.push_back(box);
+    all_scaled.push_back(Box{scaled(box.min), scaled(box.max)}.grown(built_->margin));
   }
+  if (added_.empty()) return;
+  added_boxes_ = BoxTree(boxes);
+  added_scaled_ = BoxTree(all_scaled);
 }
 
 bool EdgeScene::can_change(const World& after, const VertexMap& change) const {
   const VertexMap map = map_from_built(change);
   const Box &old = built_->world.box(), &box = after.box();
   const bool is_within = box.empty() || (!old.empty() && old.contains(box.min) && old.contains(box.max));
-  return is_within && map.added().last - map.added().first <= kMostAdded && map.removed().size() <= kMostRemoved;
+  const auto most =
+      static_cast<VertexId>(std::clamp(built_->world.edges().size() / kMostChangedOf, kMostChangedOfAny, kMostChanged));
+  return is_within && map.added_count() <= most && map.removed_count() <= most;
 }
 
 void EdgeScene::Built::join_edges() {

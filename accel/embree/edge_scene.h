@@ -10,6 +10,7 @@
 
 #include "accel/embree/device.h"
 #include "arcway/world.h"
+#include "core/geometry/box_tree.h"
 #include "core/model/vertex_map.h"
 
 namespace arcway::internal::embree {
@@ -41,7 +42,8 @@ class EdgeScene {
   EdgeScene(std::shared_ptr<const Device> device, const World& world, RTCOccludedFunctionN on_edge,
             const Options& options);
   /// The scene of a world after a change, in time that depends on the change only. Embree's boxes are those of the
-  /// scene that was built; it passes over removed edges, and looks at added ones one by one. Precondition: can_change.
+  /// scene that was built; it passes over removed edges, and looks at obstacles near it that were added. Precondition:
+  /// can_change.
   EdgeScene(const EdgeScene& before, const World& after, const VertexMap& change);
   /// Whether few edges would have been added since the scene was built, within the box of its world.
   [[nodiscard]] bool can_change(const World& after, const VertexMap& change) const;
@@ -72,8 +74,7 @@ class EdgeScene {
   template <class Visit>
   void visit_added(const Vec2& from, const Vec2& to, Visit&& visit) const {
     const Box box = box_of(LineSegment{from, to});
-    for (const Added& added : added_)
-      if (added.scaled.overlaps(box) && !visit_range(added.edges, visit)) return;
+    added_scaled_.visit_overlaps(box, [&](std::uint32_t i) { return visit_range(added_[i], visit); });
   }
 
   /// Proposes to `visit` every edge that comes within `radius` of p, in any order. visit(edge) returns the radius still
@@ -85,11 +86,11 @@ class EdgeScene {
       for (VertexId e = 0; e < world_.edges().size() && radius >= 0.0; ++e) radius = visit(e);
       return;
     }
-    for (const Added& added : added_) {
-      if (added.box.distance_to(p) * (1.0 - 0x1p-40) > radius) continue;
-      visit_range(added.edges, [&](VertexId e) { return (radius = visit(e)) >= 0.0; });
-      if (radius < 0.0) return;
-    }
+    added_boxes_.visit_if([&](const Box& box) { return box.distance_to(p) * (1.0 - 0x1p-40) <= radius; },
+                          [&](std::uint32_t i) {
+                            return visit_range(added_[i], [&](VertexId e) { return (radius = visit(e)) >= 0.0; });
+                          });
+    if (radius < 0.0) return;
     PointVisit<Visit> point{*this, visit, kPad + 0x1p-20 * center.cwiseAbs().maxCoeff(), radius, {}};
     RTCPointQuery query;
     query.x = static_cast<float>(center.x());
@@ -154,12 +155,6 @@ class EdgeScene {
     std::vector<VertexId> chains;  // first edge of each box, one more than boxes; empty: one edge each
     SceneHandle scene;
   };
-  // An obstacle that was added since.
-  struct Added {
-    World::VertexRange edges;
-    Box box;
-    Box scaled;  // with the margin of boxes
-  };
   // Whether all calls returned true.
   template <class Visit>
   static bool visit_range(const World::VertexRange& edges, Visit&& visit) {
@@ -171,8 +166,9 @@ class EdgeScene {
 
   std::shared_ptr<const Built> built_;
   World world_;
-  std::optional<VertexMap> map_;  // from the world that was built, if it was changed since
-  std::vector<Added> added_;
+  std::optional<VertexMap> map_;           // from the world that was built, if it was changed since
+  std::vector<World::VertexRange> added_;  // edges of each obstacle that was added since
+  BoxTree added_boxes_, added_scaled_;     // of these; scaled: with the margin of boxes
 };
 
 /// An edge scene with a test that decides: `bool test(VertexId) const`.

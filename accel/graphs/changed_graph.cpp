@@ -23,7 +23,8 @@ constexpr std::size_t kNodesPerRange = 16;
 std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& after, const WorldChange& change,
                                      const FreeSpaceTriangulation& triangulation) {
   std::vector<std::uint8_t> stale(after.vertices().size(), 0);
-  std::fill(stale.begin() + change.first_added, stale.begin() + change.end_added, std::uint8_t{1});
+  for (const World::VertexRange& range : change.added_vertices)
+    std::fill(stale.begin() + range.first, stale.begin() + range.last, std::uint8_t{1});
   const VertexMap map(change);
   const NearBoxes added(change.added_boxes);
   if (!added.empty()) {
@@ -51,7 +52,8 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
 VisibilityGraph change_reduced_visibility_graph(const VisibilityGraph& graph, const World& after,
                                                 const WorldChange& change, const Executor& executor,
                                                 std::size_t* rows) {
-  if (graph.vertex_count() != change.vertices_before || change.end_added > after.vertices().size())
+  if (graph.vertex_count() != change.vertices_before ||
+      (!change.added_vertices.empty() && change.added_vertices.back().last > after.vertices().size()))
     throw std::invalid_argument("change of a reduced visibility graph: it has " + std::to_string(graph.vertex_count()) +
                                 " vertices, the change is one from " + std::to_string(change.vertices_before) + " to " +
                                 std::to_string(after.vertices().size()));

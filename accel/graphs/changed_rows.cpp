@@ -71,8 +71,7 @@ bool may_see_along_line(const Vec2& from, const Place& one, const Place& other) 
 std::vector<Box> boxes_of(const World& before, const World& after, const VertexMap& map) {
   std::vector<Box> boxes;
   for (const World::VertexRange& range : map.removed()) boxes.push_back(before.box_of(before.obstacle_of(range.first)));
-  for (VertexId v = map.added().first; v < map.added().last; v = after.vertices_of(after.obstacle_of(v)).last)
-    boxes.push_back(after.box_of(after.obstacle_of(v)));
+  for (const World::VertexRange& range : map.added()) boxes.push_back(after.box_of(after.obstacle_of(range.first)));
   return boxes;
 }
 

@@ -30,7 +30,14 @@ RegionLocator::Trees::Trees(const World& the_world) : world(the_world), tree_of(
 RegionLocator::RegionLocator(const World& world) : trees_(std::make_shared<const Trees>(world)), world_(world) {}
 
 RegionLocator::RegionLocator(const RegionLocator& before, const World& after, const VertexMap& change)
-    : trees_(before.trees_), world_(after), map_(before.map_ ? before.map_->then(change) : change) {}
+    : trees_(before.trees_), world_(after), map_(before.map_ ? before.map_->then(change) : change) {
+  std::vector<Box> boxes;
+  for (const World::VertexRange& range : map_->added()) {
+    added_.push_back(after.obstacle_of(range.first));
+    boxes.push_back(after.box_of(added_.back()));
+  }
+  if (!added_.empty()) added_tree_ = BoxTree(boxes);
+}
 
 ObstacleId RegionLocator::containing(const Vec2& p) const {
   ObstacleId first = kNone;
@@ -39,12 +46,10 @@ ObstacleId RegionLocator::containing(const Vec2& p) const {
     if (region < first && trees_->is_inside(p, o)) first = region;
     return true;
   });
-  if (first == kNone && map_)
-    for (VertexId v = map_->added().first; v < map_->added().last && first == kNone;) {
-      const ObstacleId added = world_.obstacle_of(v);
-      if (world_.locate(p, added) == PointLocation::kInside) first = added;
-      v = world_.vertices_of(added).last;
-    }
+  added_tree_.visit_overlaps(Box{p, p}, [&](std::uint32_t i) {
+    if (added_[i] < first && world_.locate(p, added_[i]) == PointLocation::kInside) first = added_[i];
+    return true;
+  });
   if (first != kNone || !world_.has_bounds()) return first;
   const auto built_bounds = static_cast<ObstacleId>(trees_->world.obstacle_count());
   return trees_->is_inside(p, built_bounds) ? static_cast<ObstacleId>(world_.obstacle_count()) : kNone;

@@ -20,7 +20,7 @@ class RegionLocator {
  public:
   explicit RegionLocator(const World& world);
   /// The locator of a world after a change, in time that depends on the change only. It shares the trees that were
-  /// built, passes over removed regions and looks at added ones one by one.
+  /// built, passes over removed regions and has a tree of added ones.
   RegionLocator(const RegionLocator& before, const World& after, const VertexMap& change);
 
   /// The first region, in id order, with p strictly inside, or kNone. The bounds contain what is strictly outside of
@@ -42,7 +42,9 @@ class RegionLocator {
 
   std::shared_ptr<const Trees> trees_;
   World world_;
-  std::optional<VertexMap> map_;  // from the world of the trees, if it was changed since
+  std::optional<VertexMap> map_;   // from the world of the trees, if it was changed since
+  std::vector<ObstacleId> added_;  // that are not in the trees
+  BoxTree added_tree_;             // of these
 };
 
 }  // namespace arcway::internal

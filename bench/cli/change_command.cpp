@@ -112,7 +112,10 @@ void add_change_command(CLI::App& app, Action& action) {
       ->type_name("ID")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--add", arguments->added, "Map whose obstacles come after the last one; repeated: in this order")
+  command
+      .add_option("--add", arguments->added,
+                  "Map whose obstacles are added: after the last one, or in the place of a removed one with as many "
+                  "vertices; repeated: in this order")
       ->type_name("MAP")
       ->allow_extra_args(false);
   arguments->build.add_to(command);

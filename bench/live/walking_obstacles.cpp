@@ -56,7 +56,7 @@ WalkingObstacles::WalkingObstacles(const World& world, const Vehicle& vehicle, s
 }
 
 MapChange WalkingObstacles::walk_on(double seconds, const Trajectory& driven, double time) {
-  adds_ = false;
+  appears_ = false;
   if (!(walk_.seconds > 0.0)) walk_ = new_walk(driven, time);
   walk_.seconds -= seconds;
   Obstacle& walker = obstacles_[walk_.obstacle];
@@ -74,13 +74,14 @@ MapChange WalkingObstacles::walk_on(double seconds, const Trajectory& driven, do
   }
   if (walker.is_there) change.removed.push_back(walker.key);
   walker.polygon = after;
-  walker.is_there = adds_ = true;
+  appears_ = !walker.is_there;
+  walker.is_there = true;
   change.added.push_back(std::move(after));
   return change;
 }
 
 void WalkingObstacles::take_key(const World& after) {
-  if (adds_) obstacles_[walk_.obstacle].key = after.key_of(static_cast<ObstacleId>(after.obstacle_count() - 1));
+  if (appears_) obstacles_[walk_.obstacle].key = after.key_of(static_cast<ObstacleId>(after.obstacle_count() - 1));
 }
 
 WalkingObstacles::Walk WalkingObstacles::new_walk(const Trajectory& driven, double time) {

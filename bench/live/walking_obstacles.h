@@ -35,7 +35,8 @@ class WalkingObstacles {
   /// What changes within some seconds: at most one obstacle. `take_key` must follow before the next call.
   /// @param driven  the vehicle's motion, of which it is at `time` [s].
   MapChange walk_on(double seconds, const Trajectory& driven, double time);
-  /// Takes the key of the obstacle that the last change added, if any, from the world after it.
+  /// Takes the key of the obstacle that appeared in the last change, if any, from the world after it. One that moves
+  /// keeps its key.
   void take_key(const World& after);
 
   /// All obstacles in their first order, also those that have vanished.
@@ -58,7 +59,7 @@ class WalkingObstacles {
   double room_;   // that the vehicle needs to stop in [m]
   Random random_;
   Walk walk_{};
-  bool adds_ = false;  // whether the last change added the walking obstacle
+  bool appears_ = false;  // whether the walking obstacle was not there before the last change
 };
 
 }  // namespace arcway::internal::bench

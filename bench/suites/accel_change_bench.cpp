@@ -121,8 +121,7 @@ void time_one_moved(benchmark::State& state, const std::string& name) {
   MapFile after = to_map_file(world);
   std::vector<Polygon> added{after.obstacles[moved]};
   for (Vec2& p : added[0].outer) p += Vec2(0.25, 0.125);
-  after.obstacles.erase(after.obstacles.begin() + static_cast<std::ptrdiff_t>(moved));
-  after.obstacles.push_back(added[0]);
+  after.obstacles[moved] = added[0];
   const auto right = [&] {
     const World anew(after.obstacles, after.bounds);
     std::vector<double> changed = times(plan_all(before.with_obstacles({&moved, 1}, added), requests));

@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <map>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/model/vertex_map.h"
 #include "core/model/world_checks.h"
@@ -19,7 +23,108 @@ constexpr std::size_t kOthersOfAny = 64;
 
 bool are_few(std::size_t obstacles, std::size_t of) { return obstacles * kMostOthersOf <= of + kOthersOfAny; }
 
+std::vector<std::size_t> ring_sizes(const Polygon& polygon) {
+  std::vector<std::size_t> sizes{polygon.outer.size()};
+  for (const Ring& hole : polygon.holes) sizes.push_back(hole.size());
+  return sizes;
+}
+
+std::vector<std::size_t> ring_sizes(const World& world, ObstacleId o) {
+  std::vector<std::size_t> sizes;
+  const std::span<const VertexId> starts = world.ring_starts(o);
+  for (std::size_t r = 0; r < starts.size(); ++r)
+    sizes.push_back((r + 1 < starts.size() ? starts[r + 1] : world.vertices_of(o).last) - starts[r]);
+  return sizes;
+}
+
+void require_removed(std::span<const ObstacleId> removed, std::size_t obstacles) {
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    if (removed[i] >= obstacles)
+      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + ": the world has " +
+                                  std::to_string(obstacles));
+    if (i > 0 && removed[i] <= removed[i - 1])
+      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + " follows " +
+                                  std::to_string(removed[i - 1]) + ": they must ascend");
+  }
+}
+
 }  // namespace
+
+// What becomes of the obstacles of a world.
+struct World::Data::Change {
+  Change(const World& world, std::span<const ObstacleId> the_removed, std::span<const Polygon> the_added);
+
+  // Obstacles that follow each other after the change.
+  struct Run {
+    ObstacleId begin, end;
+    ObstacleId before;  // the first one of those in whose places they are; kNone: they follow all that were there
+    std::size_t added;  // the first one among those added; kStay: they are those of before
+  };
+  static constexpr std::size_t kStay = static_cast<std::size_t>(-1);
+
+  void add_run(ObstacleId count, ObstacleId before, std::size_t first_added);
+  [[nodiscard]] const Run& run_of(ObstacleId o) const {
+    return *(std::ranges::upper_bound(runs, o, {}, &Run::begin) - 1);
+  }
+
+  std::span<const ObstacleId> removed;
+  std::span<const Polygon> added;
+  std::vector<Run> runs;
+  ObstacleId obstacles = 0;     // after the change
+  ObstacleId first_behind = 0;  // of these: the first one that is in no other's place
+  VertexMap map{{}, {}};
+};
+
+World::Data::Change::Change(const World& world, std::span<const ObstacleId> the_removed,
+                            std::span<const Polygon> the_added)
+    : removed(the_removed), added(the_added) {
+  std::map<std::vector<std::size_t>, std::vector<ObstacleId>> places;  // of removed obstacles, descending
+  if (!added.empty())
+    for (auto o = removed.rbegin(); o != removed.rend(); ++o)
+      if (world.keep_out_of(*o) == kNone) places[ring_sizes(world, *o)].push_back(*o);
+  std::map<ObstacleId, std::size_t> in_place;
+  std::vector<std::size_t> behind;
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    const auto place = places.empty() ? places.end() : places.find(ring_sizes(added[i]));
+    if (place == places.end() || place->second.empty()) {
+      behind.push_back(i);
+    } else {
+      in_place.emplace(place->second.back(), i);
+      place->second.pop_back();
+    }
+  }
+  ObstacleId begin = 0;
+  for (const ObstacleId o : removed) {
+    add_run(o - begin, begin, kStay);
+    if (const auto at = in_place.find(o); at != in_place.end()) add_run(1, o, at->second);
+    begin = o + 1;
+  }
+  add_run(static_cast<ObstacleId>(world.obstacle_count()) - begin, begin, kStay);
+  first_behind = obstacles;
+  for (const std::size_t i : behind) add_run(1, kNone, i);
+
+  std::vector<VertexRange> gone, come;
+  for (const ObstacleId o : removed) gone.push_back(world.vertices_of(o));
+  VertexId next = 0;
+  for (const Run& run : runs) {
+    if (run.added == kStay)
+      next += world.vertices_of(run.before + (run.end - run.begin) - 1).last - world.vertices_of(run.before).first;
+    for (std::size_t i = run.added; run.added != kStay && i < run.added + (run.end - run.begin); ++i) {
+      const VertexId first = next;
+      next += static_cast<VertexId>(vertex_count_of(added.subspan(i, 1)));
+      come.push_back({first, next});
+    }
+  }
+  map = VertexMap(std::move(gone), std::move(come));
+}
+
+void World::Data::Change::add_run(ObstacleId count, ObstacleId before, std::size_t first_added) {
+  if (count == 0) return;
+  const bool follows = !runs.empty() && before == kNone && runs.back().before == kNone &&
+                       runs.back().added + (runs.back().end - runs.back().begin) == first_added;
+  if (!follows) runs.push_back({obstacles, obstacles, before, first_added});
+  runs.back().end = obstacles += count;
+}
 
 std::shared_ptr<const World::Data> World::Data::shared(std::unique_ptr<Data> data) {
   return {data.release(), [](Data* gone) {
@@ -29,7 +134,7 @@ std::shared_ptr<const World::Data> World::Data::shared(std::unique_ptr<Data> dat
 }
 
 void World::Data::begin_history() {
-  history = WorldHistory(next_stamp(), region_starts[obstacle_count()]);
+  history = WorldHistory(next_stamp(), history);
   origin = std::make_shared<Origin>();
 }
 
@@ -48,16 +153,16 @@ void World::Data::index_obstacles() const {
 std::vector<ObstacleId> World::Data::regions_meeting(std::span<const Box> places) const {
   index_obstacles();
   std::vector<ObstacleId> found;
-  const auto [first_added, end_added] = history.map().added();
-  const ObstacleId first_other =
-      first_added < end_added ? obstacle_of[first_added] : static_cast<ObstacleId>(obstacle_count());
+  std::vector<ObstacleId> others;
+  for (const VertexRange& added : history.map().added()) others.push_back(obstacle_of[added.first]);
+  if (has_bounds) others.push_back(obstacle_count());
   for (const Box& place : places) {
     origin->obstacles.visit_overlaps(place, [&](std::uint32_t o) {
       const VertexId now = history.map().after(origin->first_vertex[o]);
       if (now != kNone) found.push_back(obstacle_of[now]);
       return true;
     });
-    for (ObstacleId o = first_other; o < boxes.size(); ++o)
+    for (const ObstacleId o : others)
       if (boxes[o].overlaps(place)) found.push_back(o);
   }
   std::ranges::sort(found);
@@ -65,38 +170,16 @@ std::vector<ObstacleId> World::Data::regions_meeting(std::span<const Box> places
   return found;
 }
 
-std::size_t World::Data::count_common(const Data& other, std::span<const ObstacleId> removed,
-                                      const VertexMap& left) const {
-  const VertexId vertices_in_common = left.common_with(history.map());
-  std::size_t common =
-      static_cast<std::size_t>(std::ranges::upper_bound(region_starts, vertices_in_common) - region_starts.begin() - 1);
-  bool differs = false;
-  visit_kept(removed, other.obstacle_count(), common, [&](ObstacleId begin, ObstacleId end) {
-    if (differs) return;
-    const auto range = std::span(other.stamps).subspan(begin, end - begin);
-    const auto mine = std::span(stamps).first(obstacle_count()).subspan(common);
-    const auto at = std::ranges::mismatch(range, mine).in1;
-    common += static_cast<std::size_t>(at - range.begin());
-    differs = at != range.end();
-  });
-  return common;
-}
-
-std::pair<ObstacleId, ObstacleId> World::Data::added_regions() const {
-  const auto [first, last] = history.map().added();
-  if (first == last) return {obstacle_count(), obstacle_count()};
-  return {obstacle_of[first], obstacle_of[last - 1] + 1};
-}
-
 void World::Data::append_others(const Data& other, std::vector<Box>& places) const {
   for (const VertexRange& range : other.history.map().removed())
     if (const VertexId v = history.map().after(range.first); v != kNone) places.push_back(boxes[obstacle_of[v]]);
-  const auto [theirs, their_end] = other.added_regions();
-  std::vector<std::uint64_t> known(other.stamps.begin() + theirs, other.stamps.begin() + their_end);
+  std::vector<std::uint64_t> known;
+  for (const VertexRange& range : other.history.map().added())
+    known.push_back(other.stamps[other.obstacle_of[range.first]]);
   std::ranges::sort(known);
-  const auto [mine, my_end] = added_regions();
-  for (ObstacleId o = mine; o < my_end; ++o)
-    if (!std::ranges::binary_search(known, stamps[o])) places.push_back(boxes[o]);
+  for (const VertexRange& range : history.map().added())
+    if (const ObstacleId o = obstacle_of[range.first]; !std::ranges::binary_search(known, stamps[o]))
+      places.push_back(boxes[o]);
 }
 
 void World::Data::truncate(std::size_t regions) {
@@ -114,26 +197,110 @@ void World::Data::truncate(std::size_t regions) {
   has_bounds = false;
 }
 
-std::unique_ptr<World::Data> World::Data::begin_change(const Data& old, std::span<const ObstacleId> removed,
-                                                       const VertexMap& left, std::vector<Box>& places) {
+World::Data World::Data::region_after(const Data& old, const Change& change, ObstacleId o) {
+  const Change::Run& run = change.run_of(o);
+  Data region;
+  if (run.added == Change::kStay) {
+    const ObstacleId before = run.before + (o - run.begin);
+    region.copy_regions(old, before, before + 1);
+  } else {
+    region.add_obstacles(change.added.subspan(run.added + (o - run.begin), 1), o);
+  }
+  return region;
+}
+
+void World::Data::overwrite(ObstacleId o, const Data& region) {
+  const VertexId first = region_starts[o];
+  const auto moved = [&](VertexId v) { return v + first; };
+  std::ranges::copy(region.vertices, vertices.begin() + first);
+  std::ranges::copy(region.edges, edges.begin() + first);
+  std::copy(region.convex.begin(), region.convex.end(), convex.begin() + first);
+  std::copy(region.covered.begin(), region.covered.end(), covered.begin() + first);
+  std::ranges::transform(region.next, next.begin() + first, moved);
+  std::ranges::transform(region.previous, previous.begin() + first, moved);
+  boxes[o] = region.boxes[0];
+  stamps[o] = region.stamps[0];
+}
+
+bool World::Data::has_rings_of(ObstacleId o, const Data& region) const {
+  const auto mine = std::span(ring_starts).subspan(region_rings[o], region_rings[o + 1] - region_rings[o]);
+  const auto is_same = [&](VertexId at, VertexId other) { return at == region_starts[o] + other; };
+  return region_starts[o + 1] - region_starts[o] == region.vertices.size() &&
+         std::ranges::equal(mine, region.ring_starts, is_same);
+}
+
+void World::Data::overwrite_others(const Data& old, const Change& change) {
+  const VertexMap after = old.history.map().then(change.map);
+  const VertexId aligned = history.map().aligned_with(after);
+  const auto whole = std::ranges::upper_bound(region_starts, aligned) - region_starts.begin() - 1;
+  const bool are_as_many = obstacle_count() == change.obstacles && static_cast<std::size_t>(whole) == boxes.size();
+  auto same = std::min({static_cast<ObstacleId>(whole), obstacle_count(), change.obstacles});
+  ObstacleId first_other = same;
+  for (const VertexRange& range : history.map().added_in_either(after)) {
+    if (range.first >= region_starts[same]) break;
+    const ObstacleId o = obstacle_of[range.first];
+    const Change::Run& run = change.run_of(o);
+    if (run.added == Change::kStay && stamps[o] == old.stamps[run.before + (o - run.begin)]) continue;
+    first_other = std::min(first_other, o);
+    const Data region = region_after(old, change, o);
+    if (!has_rings_of(o, region) || !region.contacts.empty()) {
+      same = o;
+      break;
+    }
+    overwrite(o, region);
+  }
+  keys.resize(std::min<std::size_t>(keys.size(), first_other));
+  if (!are_as_many || same < change.obstacles) truncate(same);
+}
+
+std::unique_ptr<World::Data> World::Data::begin_change(const Data& old, const Change& change,
+                                                       std::vector<Box>& places) {
   std::unique_ptr<Data> data = old.origin->spare.take();
   const bool is_of_use = data && data->contacts.empty() && old.contacts.empty();
   if (is_of_use) {
     data->append_others(old, places);
     old.append_others(*data, places);
   }
-  if (!is_of_use || !are_few(places.size(), old.obstacle_count())) {
+  if (is_of_use && are_few(places.size(), old.obstacle_count())) {
+    data->overwrite_others(old, change);
+  } else {
     places.clear();
     if (!data) data = std::make_unique<Data>();
     data->contacts.clear();
     data->contacts_by_vertex.clear();
+    data->keys.clear();
     data->truncate(0);
     data->history = WorldHistory();
-  } else {
-    data->truncate(data->count_common(old, removed, left));
   }
   data->origin = old.origin;
   return data;
+}
+
+void World::Data::append_rest(const Data& old, const Change& change) {
+  const auto same = static_cast<ObstacleId>(boxes.size());
+  for (const Change::Run& run : change.runs) {
+    const ObstacleId begin = std::max(run.begin, same), skipped = begin - run.begin;
+    if (begin >= run.end) continue;
+    if (run.added == Change::kStay) {
+      copy_regions(old, run.before + skipped, run.before + (run.end - run.begin));
+    } else {
+      add_obstacles(change.added.subspan(run.added + skipped, run.end - begin), begin);
+    }
+  }
+  if (old.has_bounds && !has_bounds) {
+    has_bounds = true;
+    copy_regions(old, old.obstacle_count(), old.obstacle_count() + 1);
+  }
+  sort_contacts();
+}
+
+void World::Data::add_obstacles(std::span<const Polygon> polygons, ObstacleId id) {
+  const auto first = static_cast<VertexId>(vertices.size());
+  Touches touches;
+  for (const Polygon& polygon : polygons) add_region(polygon, require_region(polygon, id++, false), false, touches);
+  connect(first, std::move(touches));
+  covered.resize(vertices.size());
+  derive_edges();
 }
 
 Box World::Data::box_without(std::span<const ObstacleId> removed) const {
@@ -142,9 +309,8 @@ Box World::Data::box_without(std::span<const ObstacleId> removed) const {
   };
   if (std::ranges::all_of(removed, is_inside)) return box;
   Box left;
-  visit_kept(removed, static_cast<ObstacleId>(boxes.size()), 0, [&](ObstacleId begin, ObstacleId end) {
-    for (ObstacleId o = begin; o < end; ++o) left.extend(boxes[o]);
-  });
+  for (ObstacleId o = 0; o < boxes.size(); ++o)
+    if (!std::ranges::binary_search(removed, o)) left.extend(boxes[o]);
   return left;
 }
 
@@ -181,18 +347,18 @@ void World::Data::copy_regions(const Data& from, ObstacleId begin, ObstacleId en
     contacts.push_back({moved(c->edge), moved(c->vertex)});
 }
 
-void World::Data::take_keys(const Data& from, std::span<const ObstacleId> removed, std::size_t known) {
-  const ObstacleId before = from.obstacle_count();
+void World::Data::take_keys(const Data& from, const Change& change) {
+  const bool are_ids = !from.next_key && change.first_behind == from.obstacle_count();
   next_key.reset();
-  keys.resize(from.next_key || !removed.empty() ? std::min(keys.size(), known) : 0);
-  if (!from.next_key && removed.empty()) return;
-  keys.reserve(obstacle_count());
-  visit_kept(removed, before, keys.size(), [&](ObstacleId begin, ObstacleId end) {
-    for (ObstacleId o = begin; o < end; ++o) keys.push_back(from.key_of(o));
-  });
-  ObstacleKey unused = from.next_key.value_or(before);
-  while (keys.size() < obstacle_count()) keys.push_back(unused++);
-  next_key = unused;
+  if (are_ids) keys.clear();
+  if (are_ids) return;
+  keys.reserve(change.obstacles);
+  const ObstacleKey unused = from.next_key.value_or(from.obstacle_count());
+  for (const Change::Run& run : change.runs)
+    for (auto o = std::max(static_cast<ObstacleId>(keys.size()), run.begin); o < run.end; ++o)
+      keys.push_back(run.before == kNone ? unused + (o - change.first_behind)
+                                         : from.key_of(run.before + (o - run.begin)));
+  next_key = unused + (change.obstacles - change.first_behind);
 }
 
 std::vector<VertexId> World::Data::update_covered(const std::vector<Box>& places, const Data& old,
@@ -215,61 +381,35 @@ std::vector<VertexId> World::Data::update_covered(const std::vector<Box>& places
   return doubtful;
 }
 
-void World::Data::follow(const Data& old, const VertexMap& change, const std::vector<Box>& places) {
+void World::Data::follow(const Data& old, const VertexMap& change, const std::vector<Box>& places, VertexId same) {
   const WorldHistory of_arrays = std::move(history);
-  history = WorldHistory(old.history, change, {}, origin->convex);
+  const std::uint64_t stamp = next_stamp();
+  history = WorldHistory(stamp, old.history, change, {}, origin->convex);
   const std::vector<VertexId> flipped = update_covered(places, old, change);
-  history = WorldHistory(old.history, change, flipped, origin->convex);
-  list_convex_vertices(history.common_with(of_arrays), history.flipped_from(of_arrays));
-  const auto [first, last] = added_regions();
-  if (!are_few(last - first, obstacle_count())) begin_history();
+  history = WorldHistory(stamp, old.history, change, flipped, origin->convex);
+  list_convex_vertices(same, history.flipped_from(of_arrays), history.map().added_in_either(of_arrays.map()));
+  if (!are_few(history.map().added().size(), obstacle_count())) begin_history();
 }
 
 World World::with_obstacles_changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const {
   const Data& old = *data_;
-  const auto obstacles = static_cast<ObstacleId>(obstacle_count());
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    if (removed[i] >= obstacles)
-      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + ": the world has " +
-                                  std::to_string(obstacles));
-    if (i > 0 && removed[i] <= removed[i - 1])
-      throw std::invalid_argument("removed obstacle " + std::to_string(removed[i]) + " follows " +
-                                  std::to_string(removed[i - 1]) + ": they must ascend");
-  }
+  require_removed(removed, obstacle_count());
   old.index_obstacles();
-  std::vector<VertexRange> gone;
-  for (const ObstacleId o : removed) gone.push_back(vertices_of(o));
-  const auto change_with = [&](VertexRange new_ones) { return VertexMap(gone, new_ones); };
-  VertexId left = old.region_starts[obstacles];  // vertices of obstacles
-  for (const VertexRange& range : gone) left -= range.last - range.first;
+  const Data::Change change(*this, removed, added);
   std::vector<Box> places;
-  std::unique_ptr<Data> data =
-      Data::begin_change(old, removed, old.history.map().then(change_with({left, left})), places);
+  std::unique_ptr<Data> data = Data::begin_change(old, change, places);
+  const auto same = static_cast<VertexId>(data->vertices.size());
   data->reserve(old.vertices.size() + vertex_count_of(added));
-  const std::size_t common = data->boxes.size();
-  for (const ObstacleId o : removed) places.push_back(old.boxes[o]);
-  Data::visit_kept(removed, obstacles, common,
-                   [&](ObstacleId begin, ObstacleId end) { data->copy_regions(old, begin, end); });
-  const auto first_added = static_cast<VertexId>(data->vertices.size());
-  data->box = old.box_without(removed);
-  Data::Touches touches;
-  for (const Polygon& polygon : added) {
-    const auto id = static_cast<ObstacleId>(data->boxes.size());
-    data->add_region(polygon, require_region(polygon, id, false), false, touches);
-    places.push_back(data->boxes.back());
-  }
-  const auto end_added = static_cast<VertexId>(data->vertices.size());
-  data->connect(first_added, std::move(touches));
-  data->covered.resize(end_added);
-  data->derive_edges();
-  if (old.has_bounds) {
-    data->has_bounds = true;
-    data->copy_regions(old, obstacles, obstacles + 1);
-    data->sort_contacts();
-  }
+  data->append_rest(old, change);
   require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
-  data->take_keys(old, removed, common);
-  data->follow(old, change_with({first_added, end_added}), places);
+  data->box = old.box_without(removed);
+  for (const ObstacleId o : removed) places.push_back(old.boxes[o]);
+  for (const VertexRange& range : change.map.added()) {
+    places.push_back(data->boxes[data->obstacle_of[range.first]]);
+    data->box.extend(places.back());
+  }
+  data->take_keys(old, change);
+  data->follow(old, change.map, places, same);
   World world = *this;
   world.data_ = Data::shared(std::move(data));
   return world;

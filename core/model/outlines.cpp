@@ -1,6 +1,8 @@
 #include "core/model/outlines.h"
 
-#include <utility>
+#include <numeric>
+#include <span>
+#include <vector>
 
 #include "arcway/stop_clock.h"
 
@@ -12,16 +14,22 @@ constexpr std::size_t kPieceEdges = 12;
 // Share of the pieces that were built which may be removed or added since. A visit looks at removed ones in vain.
 constexpr std::size_t kMostChangedOf = 8;
 
-// The obstacles that were added.
-std::pair<ObstacleId, ObstacleId> added_obstacles(const World& after, const VertexMap& map) {
-  const auto [first, last] = map.added();
-  if (first == last) return {0, 0};
-  return {after.obstacle_of(first), after.obstacle_of(last - 1) + 1};
+// The obstacles that were added, ascending.
+std::vector<ObstacleId> added_obstacles(const World& after, const VertexMap& map) {
+  std::vector<ObstacleId> added;
+  for (const World::VertexRange& range : map.added()) added.push_back(after.obstacle_of(range.first));
+  return added;
+}
+
+std::vector<ObstacleId> all_regions(const World& world) {
+  std::vector<ObstacleId> all(world.region_count());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 }  // namespace
 
-Outlines::Pieces::Pieces(const World& world, ObstacleId first_region, ObstacleId last_region) {
+Outlines::Pieces::Pieces(const World& world, std::span<const ObstacleId> regions) {
   const std::span<const Vec2> vertices = world.vertices();
   const auto add_ring = [&](VertexId first, VertexId last) {
     const VertexId edges = last - first;
@@ -35,7 +43,7 @@ Outlines::Pieces::Pieces(const World& world, ObstacleId first_region, ObstacleId
       boxes.push_back(box);
     }
   };
-  for (ObstacleId o = first_region; o < last_region; ++o) {
+  for (const ObstacleId o : regions) {
     const auto rings = world.ring_starts(o);
     for (std::size_t r = 0; r < rings.size(); ++r)
       add_ring(rings[r], r + 1 < rings.size() ? rings[r + 1] : world.vertices_of(o).last);
@@ -45,10 +53,9 @@ Outlines::Pieces::Pieces(const World& world, ObstacleId first_region, ObstacleId
 }
 
 Outlines::Changed::Changed(const World& after, const VertexMap& the_map)
-    : world(after), map(the_map), added(after, added_obstacles(after, map).first, added_obstacles(after, map).second) {}
+    : world(after), map(the_map), added(after, added_obstacles(after, map)) {}
 
-Outlines::Outlines(const World& world)
-    : built_(std::make_shared<const Pieces>(world, 0, static_cast<ObstacleId>(world.region_count()))) {}
+Outlines::Outlines(const World& world) : built_(std::make_shared<const Pieces>(world, all_regions(world))) {}
 
 Outlines::Outlines(const Outlines& before, const World& after, const VertexMap& change)
     : built_(before.built_),
@@ -56,7 +63,7 @@ Outlines::Outlines(const Outlines& before, const World& after, const VertexMap& 
 
 bool Outlines::can_change(const VertexMap& change) const {
   const VertexMap map = changed_ ? changed_->map.then(change) : change;
-  const std::size_t added = (map.added().last - map.added().first) / kPieceEdges;
+  const std::size_t added = map.added_count() / kPieceEdges;
   return kMostChangedOf * (map.removed().size() + added) <= built_count();
 }
 

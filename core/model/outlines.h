@@ -68,7 +68,7 @@ class Outlines {
  private:
   // The pieces of some regions.
   struct Pieces {
-    Pieces(const World& world, ObstacleId first, ObstacleId last);
+    Pieces(const World& world, std::span<const ObstacleId> regions);  // ascending
     [[nodiscard]] Piece operator[](std::uint32_t i) const {
       return {starts[i].vertex, std::span(points).subspan(starts[i].point, starts[i + 1].point - starts[i].point),
               boxes[i]};

@@ -6,64 +6,102 @@
 
 namespace arcway::internal {
 
-VertexMap::VertexMap(const WorldChange& change)
-    : VertexMap(change.removed_vertices, {change.first_added, change.end_added}) {}
+namespace {
 
-VertexMap::VertexMap(std::vector<World::VertexRange> removed, World::VertexRange added)
-    : removed_(std::move(removed)), removed_up_to_{0}, first_added_(added.first), end_added_(added.last) {
-  for (const World::VertexRange& range : removed_)
-    removed_up_to_.push_back(removed_up_to_.back() + range.last - range.first);
+void insert_ascending(const std::vector<World::VertexRange>& more, std::vector<World::VertexRange>& ranges) {
+  const auto first = static_cast<std::ptrdiff_t>(ranges.size());
+  ranges.insert(ranges.end(), more.begin(), more.end());
+  std::ranges::inplace_merge(ranges, ranges.begin() + first, {}, &World::VertexRange::first);
 }
 
-VertexId VertexMap::after(VertexId before) const {
-  const auto next = std::ranges::upper_bound(removed_, before, {}, &World::VertexRange::first);
-  const auto count = static_cast<std::size_t>(next - removed_.begin());
-  if (count > 0 && before < removed_[count - 1].last) return kNone;
-  const VertexId kept = before - removed_up_to_[count];
-  return kept < first_added_ ? kept : kept + (end_added_ - first_added_);
+}  // namespace
+
+VertexMap::Ranges::Ranges(std::vector<World::VertexRange> ranges) : all(std::move(ranges)), up_to{0} {
+  for (const World::VertexRange& range : all) up_to.push_back(up_to.back() + range.last - range.first);
 }
 
-VertexId VertexMap::before(VertexId after) const {
-  if (is_added(after)) return kNone;
-  const VertexId kept = after < first_added_ ? after : after - (end_added_ - first_added_);
-  std::size_t low = 0, high = removed_.size();  // number of ranges in front of the vertex
+bool VertexMap::Ranges::holds(VertexId v) const {
+  const auto next = std::ranges::upper_bound(all, v, {}, &World::VertexRange::first);
+  return next != all.begin() && v < (next - 1)->last;
+}
+
+VertexId VertexMap::Ranges::place_of(VertexId v) const {
+  const auto next = std::ranges::upper_bound(all, v, {}, &World::VertexRange::first);
+  return v - up_to[static_cast<std::size_t>(next - all.begin())];
+}
+
+VertexId VertexMap::Ranges::at(VertexId place) const {
+  std::size_t low = 0, high = all.size();  // number of ranges in front of the vertex
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
-    if (removed_[middle].first - removed_up_to_[middle] <= kept) {
+    if (all[middle].first - up_to[middle] <= place) {
       low = middle + 1;
     } else {
       high = middle;
     }
   }
-  return kept + removed_up_to_[low];
+  return place + up_to[low];
+}
+
+VertexMap::VertexMap(const WorldChange& change) : VertexMap(change.removed_vertices, change.added_vertices) {}
+
+VertexMap::VertexMap(std::vector<World::VertexRange> removed, std::vector<World::VertexRange> added)
+    : removed_(std::move(removed)), added_(std::move(added)) {}
+
+VertexId VertexMap::after(VertexId before) const {
+  return removed_.holds(before) ? kNone : added_.at(removed_.place_of(before));
+}
+
+VertexId VertexMap::before(VertexId after) const {
+  return added_.holds(after) ? kNone : removed_.at(added_.place_of(after));
 }
 
 VertexMap VertexMap::then(const VertexMap& next) const {
-  std::vector<World::VertexRange> removed = removed_;
-  VertexId still_added = end_added_ - first_added_;
-  for (const World::VertexRange& range : next.removed_) {
-    const VertexId count = range.last - range.first;
-    if (is_added(range.first)) {
-      still_added -= count;
-    } else {
-      const VertexId first = before(range.first);
-      removed.push_back({first, first + count});
-    }
-  }
-  // Both parts ascend.
-  std::ranges::inplace_merge(removed, removed.begin() + static_cast<std::ptrdiff_t>(removed_.size()), {},
-                             &World::VertexRange::first);
-  return {std::move(removed), {next.first_added_ - still_added, next.end_added_}};
+  std::vector<World::VertexRange> removed = removed_.all, removed_later, added = next.added_.all, added_before;
+  for (const World::VertexRange& range : next.removed_.all)
+    if (const VertexId first = before(range.first); first != kNone)
+      removed_later.push_back({first, first + (range.last - range.first)});
+  for (const World::VertexRange& range : added_.all)
+    if (const VertexId first = next.after(range.first); first != kNone)
+      added_before.push_back({first, first + (range.last - range.first)});
+  insert_ascending(removed_later, removed);
+  insert_ascending(added_before, added);
+  return {std::move(removed), std::move(added)};
 }
 
-VertexId VertexMap::common_with(const VertexMap& other) const {
-  const auto [mine, others] =
-      std::ranges::mismatch(removed_, other.removed_, {}, &World::VertexRange::first, &World::VertexRange::first);
-  const VertexId same = removed_up_to_[static_cast<std::size_t>(mine - removed_.begin())];
-  VertexId common = std::min(first_added_, other.first_added_);
-  if (mine != removed_.end()) common = std::min(common, mine->first - same);
-  if (others != other.removed_.end()) common = std::min(common, others->first - same);
-  return common;
+VertexId VertexMap::aligned_with(const VertexMap& other) const {
+  struct Run {
+    World::VertexRange here;
+    VertexId there;
+  };
+  const auto runs_of = [](const VertexMap& map) {
+    std::vector<Run> runs;
+    map.visit(
+        kNone,
+        [&](const World::VertexRange& range, VertexId before) {
+          runs.push_back({range, before});
+        },
+        [](const World::VertexRange&) {});
+    return runs;
+  };
+  const std::vector<Run> mine = runs_of(*this), others = runs_of(other);
+  for (auto a = mine.begin(), b = others.begin(); a != mine.end() && b != others.end();) {
+    const VertexId first = std::max(a->here.first, b->here.first);
+    if (first < std::min(a->here.last, b->here.last) && a->there + b->here.first != b->there + a->here.first)
+      return first;
+    ++(a->here.last < b->here.last ? a : b);
+  }
+  return kNone;
+}
+
+std::vector<World::VertexRange> VertexMap::added_in_either(const VertexMap& other) const {
+  std::vector<World::VertexRange> ranges = added_.all;
+  insert_ascending(other.added_.all, ranges);
+  const auto is_same = [](const World::VertexRange& a, const World::VertexRange& b) {
+    return a.first == b.first && a.last == b.last;
+  };
+  ranges.erase(std::unique(ranges.begin(), ranges.end(), is_same), ranges.end());
+  return ranges;
 }
 
 }  // namespace arcway::internal

@@ -33,6 +33,7 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
     data->add_region(polygon, require_region(polygon, obstacle_count, true), true, touches);
   }
   data->connect(0, std::move(touches));
+  data->sort_contacts();
   data->derive_edges();
   data->mark_all_covered();
   data->list_convex_vertices();

@@ -6,6 +6,7 @@
 
 #include "core/model/pose_text.h"
 #include "core/model/vertex_map.h"
+#include "core/model/world_history.h"
 
 namespace arcway {
 
@@ -31,7 +32,7 @@ std::string region_with_vertices(const World& world, ObstacleId region) {
          std::to_string(last - first) + " vertices from " + shortest_text(world.vertex(first));
 }
 
-constexpr const char* kNextStep = "; make the world after by World::changed, which puts added obstacles last";
+constexpr const char* kNextStep = "; make the world after by World::changed";
 
 }  // namespace
 
@@ -42,12 +43,14 @@ WorldChange WorldChange::unchecked(const World& before, const World& after, std:
     change.removed_boxes.push_back(before.box_of(o));
     change.removed_vertices.push_back(before.vertices_of(o));
   }
-  const auto end_of = [&after](ObstacleId o) { return o == 0 ? 0 : after.vertices_of(o - 1).last; };
-  const auto obstacles = static_cast<ObstacleId>(after.obstacle_count());
-  const auto first_added = static_cast<ObstacleId>(before.obstacle_count() - removed.size());
-  for (ObstacleId o = first_added; o < obstacles; ++o) change.added_boxes.push_back(after.box_of(o));
-  change.first_added = end_of(first_added);
-  change.end_added = end_of(obstacles);
+  if (after.history().follows_at_once(before.history())) {
+    change.added_vertices = after.history().last_change().added();
+  } else {
+    for (auto o = static_cast<ObstacleId>(before.obstacle_count() - removed.size()); o < after.obstacle_count(); ++o)
+      change.added_vertices.push_back(after.vertices_of(o));
+  }
+  for (const World::VertexRange& range : change.added_vertices)
+    change.added_boxes.push_back(after.box_of(after.obstacle_of(range.first)));
   return change;
 }
 
@@ -62,17 +65,19 @@ WorldChange::WorldChange(const World& before, const World& after, std::span<cons
                                   kNextStep);
   };
   std::vector<ObstacleId> gone;
+  for (ObstacleId o = 0; o < before.obstacle_count(); ++o)
+    if (std::binary_search(removed.begin(), removed.end(), o)) gone.push_back(o);
+  const WorldChange change = unchecked(before, after, gone);
+  const VertexMap map(change);
   ObstacleId now = 0;
   for (ObstacleId o = 0; o < before.obstacle_count(); ++o) {
-    if (std::binary_search(removed.begin(), removed.end(), o)) {
-      gone.push_back(o);
-    } else {
-      require_same(o, now++);
-    }
+    if (std::binary_search(gone.begin(), gone.end(), o)) continue;
+    while (now < after.obstacle_count() && map.is_added(after.vertices_of(now).first)) ++now;
+    require_same(o, now++);
   }
   if (before.has_bounds())
     require_same(static_cast<ObstacleId>(before.obstacle_count()), static_cast<ObstacleId>(after.obstacle_count()));
-  *this = unchecked(before, after, gone);
+  *this = change;
 }
 
 VertexId WorldChange::vertex_after(VertexId before) const { return VertexMap(*this).after(before); }

@@ -109,15 +109,33 @@ void World::Data::derive_edges() {
   }
 }
 
-void World::Data::list_convex_vertices(VertexId same, std::span<const VertexId> flipped) {
+void World::Data::list_convex_vertices(VertexId same, std::span<const VertexId> flipped,
+                                       std::span<const VertexRange> anew) {
   convex_vertices.erase(std::ranges::lower_bound(convex_vertices, same), convex_vertices.end());
+  const auto is_anew = [&](VertexId v) {
+    const auto behind = std::ranges::upper_bound(anew, v, {}, &VertexRange::first);
+    return behind != anew.begin() && v < (behind - 1)->last;
+  };
   std::vector<VertexId> gone, come;
   for (const VertexId v : flipped)
-    if (v < same && convex[v]) (covered[v] ? gone : come).push_back(v);
+    if (v < same && convex[v] && !is_anew(v)) (covered[v] ? gone : come).push_back(v);
   leave_out(gone, convex_vertices);
   put_in(come, convex_vertices);
+  for (const VertexRange& range : anew) list_in_place({std::min(range.first, same), std::min(range.last, same)});
   for (VertexId v = same; v < vertices.size(); ++v)
     if (is_graph_vertex(v)) convex_vertices.push_back(v);
+}
+
+void World::Data::list_in_place(VertexRange range) {
+  const auto first = std::ranges::lower_bound(convex_vertices, range.first);
+  const auto last = std::lower_bound(first, convex_vertices.end(), range.last);
+  std::vector<VertexId> now;
+  for (VertexId v = range.first; v < range.last; ++v)
+    if (is_graph_vertex(v)) now.push_back(v);
+  const auto both = std::min(last - first, static_cast<std::ptrdiff_t>(now.size()));
+  const auto end = std::copy_n(now.begin(), both, first);
+  const auto behind = convex_vertices.erase(end, last);
+  convex_vertices.insert(behind, now.begin() + both, now.end());
 }
 
 PointLocation World::Data::locate(const Vec2& p, ObstacleId region) const {
@@ -166,7 +184,6 @@ void World::Data::connect(VertexId first_vertex, Touches touches) {
   std::sort(touches.on_right.begin(), touches.on_right.end());
   relink_pinches(first_vertex, touches.on_right);
   contacts.insert(contacts.end(), touches.on_left.begin(), touches.on_left.end());
-  sort_contacts();
 }
 
 void World::Data::sort_contacts() {

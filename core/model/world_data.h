@@ -92,7 +92,7 @@ struct World::Data {
   void add_ring(const Ring& ring, int wanted_winding);
   /// All vertices and rings since the last region are one.
   void close_region(const Box& region_box);
-  /// Links coincident vertices of new regions, and lists contacts.
+  /// Links coincident vertices of new regions, and appends contacts, which must be sorted then.
   void connect(VertexId first_vertex, Touches touches);
   /// Where rings touch in a vertex, an edge that ends there is linked to the edge that bounds the same wedge of the
   /// interior: the first one clockwise from it. Each of the coincident vertices then has a wedge of its own, and all
@@ -104,8 +104,12 @@ struct World::Data {
   /// What follows at once from vertices and links, for all vertices that have no edges yet.
   void derive_edges();
   /// @param same  number of first vertices for which the list is right but for some.
-  /// @param flipped  these, ascending, and perhaps others: to be added or left out.
-  void list_convex_vertices(VertexId same = 0, std::span<const VertexId> flipped = {});
+  /// @param flipped  of these: to be added or left out, ascending; and perhaps others.
+  /// @param anew  ranges of these and perhaps others, ascending, of which the list knows nothing.
+  void list_convex_vertices(VertexId same = 0, std::span<const VertexId> flipped = {},
+                            std::span<const VertexRange> anew = {});
+  /// Lists the vertices of a range anew.
+  void list_in_place(VertexRange range);
 
   // Which vertices lie inside of a region.
 
@@ -134,31 +138,24 @@ struct World::Data {
   void begin_history();
   /// Precondition: this is the first world of the origin, or another one was indexed before.
   void index_obstacles() const;
-  /// Calls visit(begin, end) for ranges of obstacles that remain, but for the first `skipped` ones.
-  template <class Visitor>
-  static void visit_kept(std::span<const ObstacleId> removed, ObstacleId obstacles, std::size_t skipped,
-                         Visitor&& visit) {
-    ObstacleId begin = 0;
-    for (std::size_t i = 0; i <= removed.size(); ++i) {
-      const ObstacleId end = i < removed.size() ? removed[i] : obstacles;
-      const auto passed = static_cast<ObstacleId>(std::min<std::size_t>(skipped, end - begin));
-      skipped -= passed;
-      if (begin + passed < end) visit(begin + passed, end);
-      begin = end + 1;
-    }
-  }
-  /// What a change of another world begins with: arrays of a world that is gone, with the first obstacles of those that
-  /// remain. No obstacles if they differ in many: copies are made faster than coverage is looked at again.
-  /// @param left  from the first world of the origin to what is left.
+  struct Change;
+  /// What a change of another world begins with: arrays of a world that is gone, with the first obstacles that there
+  /// will be. No obstacles if they differ in many: copies are made faster than coverage is looked at again.
   /// @param places  becomes the boxes of obstacles that only one of these two worlds has.
-  static std::unique_ptr<Data> begin_change(const Data& old, std::span<const ObstacleId> removed, const VertexMap& left,
-                                            std::vector<Box>& places);
-  /// The number of first obstacles that this world has in common with what is left of another one of its origin.
-  /// @param left  from the first world of the origin to what is left.
-  [[nodiscard]] std::size_t count_common(const Data& other, std::span<const ObstacleId> removed,
-                                         const VertexMap& left) const;
-  /// The regions that were added since the first world of the origin.
-  [[nodiscard]] std::pair<ObstacleId, ObstacleId> added_regions() const;
+  static std::unique_ptr<Data> begin_change(const Data& old, const Change& change, std::vector<Box>& places);
+  /// One obstacle after a change, alone.
+  static Data region_after(const Data& old, const Change& change, ObstacleId o);
+  /// Whether an obstacle has as many vertices in each ring as the only one of another world.
+  [[nodiscard]] bool has_rings_of(ObstacleId o, const Data& region) const;
+  /// Puts the only obstacle of another world in the place of one that has as many vertices in each ring.
+  void overwrite(ObstacleId o, const Data& region);
+  /// Makes this, of the same origin, have the first obstacles of a world after a change, as many as fit where others
+  /// are. All others are left out.
+  void overwrite_others(const Data& old, const Change& change);
+  /// Appends what this has not yet of a world after a change.
+  void append_rest(const Data& old, const Change& change);
+  /// @param id  of the first one, for errors.
+  void add_obstacles(std::span<const Polygon> polygons, ObstacleId id);
   /// Appends the boxes of obstacles that this world has and another one of its origin has not.
   void append_others(const Data& other, std::vector<Box>& places) const;
   /// Keeps the first regions only. Their vertices may be covered by others than before.
@@ -167,16 +164,17 @@ struct World::Data {
   [[nodiscard]] Box box_without(std::span<const ObstacleId> removed) const;
   /// Regions [begin, end) of another world, after the last one of this one, with all that is known about them.
   void copy_regions(const Data& from, ObstacleId begin, ObstacleId end);
-  /// Takes the keys of the obstacles that are left of another world, and gives new ones to all others.
-  /// @param known  number of obstacles whose keys are right if there are any.
-  void take_keys(const Data& from, std::span<const ObstacleId> removed, std::size_t known);
+  /// Takes the keys of obstacles of another world, and gives new ones to those that follow them all. Those that there
+  /// are already are right.
+  void take_keys(const Data& from, const Change& change);
   /// Decides which vertices are covered after a change, and returns those for which that is another answer than before.
   /// @param places  boxes of obstacles that were removed or added.
   /// @param change  from `old`.
   std::vector<VertexId> update_covered(const std::vector<Box>& places, const Data& old, const VertexMap& change);
   /// Completes this after a change of another world: coverage, the list of convex vertices and the history.
   /// @param places  boxes of obstacles that were removed or added, or that only the world had whose arrays these were.
-  void follow(const Data& old, const VertexMap& change, const std::vector<Box>& places);
+  /// @param same  number of first vertices that were in these arrays.
+  void follow(const Data& old, const VertexMap& change, const std::vector<Box>& places, VertexId same);
 
   /// A number that no region and no origin has yet.
   static std::uint64_t next_stamp();

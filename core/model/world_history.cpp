@@ -6,18 +6,24 @@
 
 namespace arcway::internal {
 
-WorldHistory::WorldHistory(const WorldHistory& before, const VertexMap& change, const std::vector<VertexId>& flipped,
-                           std::shared_ptr<const HugeVector<VertexId>> convex)
-    : origin_(before.origin_), map_(before.map_.then(change)), convex_(std::move(convex)) {
+// Many parameters because each is a part of it.
+WorldHistory::WorldHistory(std::uint64_t world, const WorldHistory& before, const VertexMap& change,
+                           const std::vector<VertexId>& flipped, std::shared_ptr<const HugeVector<VertexId>> convex)
+    : origin_(before.origin_),
+      world_(world),
+      world_before_(before.world_),
+      last_(change),
+      map_(before.map_.then(change)),
+      convex_(std::move(convex)) {
   std::vector<VertexId> of_origin;
   for (const VertexId v : flipped)
     if (const VertexId was = map_.before(v); was != kNone) of_origin.push_back(was);
-  std::ranges::sort(of_origin);  // the bounds' vertices are behind those of added obstacles
+  std::ranges::sort(of_origin);
   std::ranges::set_symmetric_difference(before.flipped_, of_origin, std::back_inserter(flipped_));
 }
 
-VertexId WorldHistory::common_with(const WorldHistory& other) const {
-  return has_origin_of(other) ? map_.common_with(other.map_) : 0;
+VertexId WorldHistory::aligned_with(const WorldHistory& other) const {
+  return has_origin_of(other) ? map_.aligned_with(other.map_) : 0;
 }
 
 std::vector<VertexId> WorldHistory::flipped_from(const WorldHistory& other) const {

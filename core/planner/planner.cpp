@@ -413,7 +413,6 @@ void Planner::warm_up(std::size_t queries_at_once, bool for_changes) const {
   const Data& d = *data_;
   if (for_changes && world().obstacle_count() > 0) {
     // Two planners after changes are there at once while one follows the other. Their arrays go to the first changes.
-    // All obstacles but the last one stay where they are.
     const auto last = static_cast<ObstacleId>(world().obstacle_count() - 1);
     const std::vector<ObstacleKey> key{world().key_of(last)};
     const std::vector<Polygon> same{world().polygon_of(last)};

@@ -208,8 +208,9 @@ void require_change(const WorldChange& change, const World& before, const World&
   const std::size_t old_vertices = before.vertices().size(), vertices = after.vertices().size();
   std::size_t stayed = change.vertices_before;
   for (const World::VertexRange& range : change.removed_vertices) stayed -= range.last - range.first;
-  const std::size_t added = change.end_added - change.first_added;
-  if (change.vertices_before != old_vertices || change.end_added < change.first_added || stayed + added != vertices)
+  std::size_t added = 0;
+  for (const World::VertexRange& range : change.added_vertices) added += range.last - range.first;
+  if (change.vertices_before != old_vertices || stayed + added != vertices)
     throw std::invalid_argument("the change leads from " + std::to_string(change.vertices_before) + " vertices to " +
                                 std::to_string(stayed + added) + ", the worlds have " + std::to_string(old_vertices) +
                                 " and " + std::to_string(vertices));

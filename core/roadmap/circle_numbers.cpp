@@ -15,18 +15,9 @@ ConvexVertices::ConvexVertices(const World& world, std::shared_ptr<const HugeVec
     append_own(world, {0, vertices});
     return;
   }
-  const VertexMap& map = world.history().map();
-  VertexId here = 0, there = 0;
-  for (const World::VertexRange& removed : map.removed()) {
-    const VertexId end = here + (removed.first - there);
-    append_of_origin({here, end}, there);
-    here = end;
-    there = removed.last;
-  }
-  const auto [first_added, end_added] = map.added();
-  append_of_origin({here, first_added}, there);
-  append_own(world, {first_added, end_added});
-  append_of_origin({end_added, vertices}, there + (first_added - here));
+  world.history().map().visit(
+      vertices, [this](const World::VertexRange& range, VertexId before) { append_of_origin(range, before); },
+      [&](const World::VertexRange& range) { append_own(world, range); });
 }
 
 void ConvexVertices::append_of_origin(const World::VertexRange& range, VertexId begin) {

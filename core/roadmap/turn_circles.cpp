@@ -63,6 +63,28 @@ struct TurnCircles::PairRule {
   SideRadii radius;
 };
 
+// The own circles of vertices after a change: those of before where a vertex was there.
+struct TurnCircles::OwnRule {
+  // Writes those of a convex vertex.
+  void write(VertexId v, std::span<TurnCircle> to) const {
+    if (const VertexId was = change.before(v); was != kNone) {
+      std::ranges::copy(before.all().subspan(before.first_around(was, Side::kLeft), to.size()), to.begin());
+      for (TurnCircle& circle : to) circle.vertex = v;
+      return;
+    }
+    auto next = to.begin();
+    for (std::size_t k = 0; k < radii.size(); ++k)
+      for (const Side side : {Side::kLeft, Side::kRight})
+        *next++ = turn_circle(after, v, radii.of(side)[k], side, grown_body);
+  }
+
+  const TurnCircles& before;
+  const VertexMap& change;
+  const World& after;
+  const CircleRadii& radii;
+  const Footprint& grown_body;
+};
+
 TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const CircleRadii& radii,
                          const Footprint& grown_body, const Executor& executor)
     : radius_count_(radii.size()), first_(world.vertices().size(), kNone) {
@@ -111,19 +133,42 @@ bool TurnCircles::number(const World& world, VertexId v, std::size_t next) {
   return true;
 }
 
-void TurnCircles::take_arrays(const WorldHistory& history) {
+bool TurnCircles::exchange(const World::VertexRange& range, const OwnRule& rule) {
+  const auto here = std::span(first_).subspan(range.first, range.last - range.first);
+  const auto begin = std::ranges::find_if(here, [](std::uint32_t first) { return first != kNone; });
+  const auto were = here.size() - static_cast<std::size_t>(std::ranges::count(here, kNone));
+  std::size_t are = 0;
+  for (VertexId v = range.first; v < range.last; ++v) are += rule.after.is_convex(v) ? 1 : 0;
+  if (are != were) return false;
+  std::size_t next = were == 0 ? 0 : *begin & ~kCovered;
+  for (VertexId v = range.first; v < range.last; ++v) {
+    if (!number(rule.after, v, next)) continue;
+    rule.write(v, std::span(circles_).subspan(next, 2 * radius_count_));
+    next += 2 * radius_count_;
+  }
+  return true;
+}
+
+void TurnCircles::take_arrays(const OwnRule& rule) {
+  const WorldHistory& history = rule.after.history();
   const std::unique_ptr<Arrays> gone = origin_.spare->take();
   origin_.room = std::make_unique<Arrays>(Arrays{history, {}, {}});
   if (!gone) return;
   circles_.swap(gone->circles);
   first_.swap(gone->first);
-  // Where the vertices are the same ones, so are the indices of circles.
-  first_.resize(gone->history.common_with(history));
   const auto is_convex = [](std::uint32_t first) { return first != kNone; };
-  const auto last = std::find_if(first_.rbegin(), first_.rend(), is_convex);
-  circles_.resize(last == first_.rend() ? 0 : (*last & ~kCovered) + 2 * radius_count_);
   for (const VertexId v : history.flipped_from(gone->history))
     if (v < first_.size() && is_convex(first_[v])) first_[v] ^= kCovered;
+  // Where the vertices are the same ones, so are the indices of circles, behind others as long as these are as many.
+  std::size_t same =
+      std::min<std::size_t>({first_.size(), rule.after.vertices().size(), history.aligned_with(gone->history)});
+  for (const World::VertexRange& range : history.map().added_in_either(gone->history.map())) {
+    if (range.first >= same) break;
+    if (range.last > same || !exchange(range, rule)) same = range.first;
+  }
+  first_.resize(same);
+  const auto last = std::find_if(first_.rbegin(), first_.rend(), is_convex);
+  circles_.resize(last == first_.rend() ? 0 : (*last & ~kCovered) + 2 * radius_count_);
 }
 
 // Many parameters because it is made of two worlds.
@@ -131,24 +176,17 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
                          const VisibilityRows& rows, std::span<const VertexId> may_differ, const CircleRadii& radii,
                          const Footprint& grown_body)
     : radius_count_(before.radius_count_), origin_(before.origin_) {
-  take_arrays(after.history());
-  const std::size_t added = change.added().last - change.added().first;
-  const std::size_t most = before.own_count_ + 2 * radius_count_ * added;
+  const OwnRule own{before, change, after, radii, grown_body};
+  take_arrays(own);
+  const std::size_t most = before.own_count_ + 2 * radius_count_ * change.added_count();
   circles_.reserve(most + most / 8);  // for those of two vertices
   auto v = static_cast<VertexId>(first_.size());
   first_.resize(after.vertices().size());
   for (; v < first_.size(); ++v) {
     const std::size_t next = circles_.size();
     if (!number(after, v, next)) continue;
-    if (const VertexId was = change.before(v); was != kNone) {
-      const auto first = before.circles_.begin() + before.first_around(was, Side::kLeft);
-      circles_.insert(circles_.end(), first, first + static_cast<std::ptrdiff_t>(2 * radius_count_));
-      for (std::size_t c = next; c < circles_.size(); ++c) circles_[c].vertex = v;
-    } else {
-      for (std::size_t k = 0; k < radius_count_; ++k)
-        for (const Side side : {Side::kLeft, Side::kRight})
-          circles_.push_back(turn_circle(after, v, radii.of(side)[k], side, grown_body));
-    }
+    circles_.resize(next + 2 * radius_count_);
+    own.write(v, std::span(circles_).subspan(next));
   }
   own_count_ = circles_.size();
   unused_count_ = own_count_ - 2 * radius_count_ * after.convex_vertices().size();

@@ -37,8 +37,8 @@ class TurnCircles {
 
   /// The base circles of a world after a change, from those before it, of the same radii and body: the same as made
   /// anew. It asks for rows of close vertices that may have other neighbors only. It takes the arrays of circles that
-  /// are gone and came from the same ones by changes. What follows the first vertex that only one of the two worlds has
-  /// is made again; vertices that are covered in one of the two do not count.
+  /// are gone and came from the same ones by changes. Circles of obstacles that only one of the two worlds has are made
+  /// again, and all that follow where these are not as many.
   /// @param rows  of the world after the change.
   /// @param may_differ  see VisibilityRows::Changed.
   TurnCircles(const TurnCircles& before, const VertexMap& change, const World& after, const VisibilityRows& rows,
@@ -131,8 +131,13 @@ class TurnCircles {
     std::shared_ptr<Spare<Arrays>> spare = std::make_shared<Spare<Arrays>>();
     std::unique_ptr<Arrays> room;  // null if there was no change, and in copies
   };
-  // Takes arrays of circles that are gone, and leaves what they have in common with those of a world after a change.
-  void take_arrays(const WorldHistory& history);
+  struct OwnRule;
+  // Takes arrays of circles that are gone, and makes them those of the first vertices of a world after a change, as far
+  // as the numbers of circles are the same ones.
+  void take_arrays(const OwnRule& rule);
+  // Writes the own circles of an obstacle's vertices. False, and nothing is written, if they were another number of
+  // circles.
+  bool exchange(const World::VertexRange& range, const OwnRule& rule);
   // Gives a vertex its number of circles, the next ones, if it is convex. Returns whether it is.
   bool number(const World& world, VertexId v, std::size_t next);
   // Circles around two vertices that both are graph vertices after a change as well, as they are numbered then.

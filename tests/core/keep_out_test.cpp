@@ -68,7 +68,8 @@ TEST(KeepOut, ABackendOfEitherWorldServes) {
 
 TEST(KeepOut, StaysThroughChangesAndGoesByItsKey) {
   const Planner planner(barred(), truck());
-  const Planner without_wall = planner.with_obstacles(std::vector{planner.world().key_of(0)}, {box(5, -30, 6, -29)});
+  const Planner without_wall =
+      planner.with_obstacles(std::vector{planner.world().key_of(0)}, {{{{5, -30}, {6, -30}, {6, -29}}, {}}});
   EXPECT_GT(without_wall.plan(kStart, kGoal).length, 41.0);
   EXPECT_EQ(without_wall.world().keep_out_of(0), 0u);
   const Planner open = planner.with_obstacles(std::vector{planner.world().key_of(1)}, {});

@@ -180,8 +180,8 @@ class ARCWAY_API Planner {
   static Planner changed(const Planner& before, const WorldChange& change, const Backend& backend,
                          const PlannerOptions& options = {});
 
-  /// A planner for the map without some obstacles, and with others after its last one. It plans as a planner built anew
-  /// with the same options, bit for bit, and keeps what was found far from the change: see `changed`. This planner
+  /// A planner for the map without some obstacles, and with others: see World::changed. It plans as a planner built
+  /// anew with the same options, bit for bit, and keeps what was found far from the change: see `changed`. This planner
   /// stays as it is; change_obstacles changes it in place. The two share memory for searches. Arrays of a planner that
   /// is gone are used again, in time that depends on what differs between the two maps.
   ///
@@ -189,8 +189,9 @@ class ARCWAY_API Planner {
   ///     const Planner after = planner.with_obstacles(gone, {Polygon::rectangle({12, 7}, 2.0, 1.0)});
   ///
   /// Thread-safe. The executor of the backend that the planner was made with runs the change, and must still exist.
-  /// @param removed  keys of obstacles, in any order. Keys stay the same through changes, unlike ids: World::key_of.
-  /// @param added  get the last ids of the new world, in their order, and new keys.
+  /// @param removed  keys of obstacles, in any order. Keys stay the same through changes: World::key_of.
+  /// @param added  one that has as many vertices in each ring as a removed one takes its id and its key, as one that
+  ///   has moved. All others get the last ids of the new world, in their order, and new keys.
   /// @throws std::invalid_argument if a key is of no obstacle of the map or is named twice, or the backend cannot be
   ///   changed (Backend::changed).
   /// @throws WorldError with the index that a refused obstacle has in the new world.

@@ -104,11 +104,17 @@ class ARCWAY_API World {
   /// The world as flat arrays. O(n).
   [[nodiscard]] WorldSnapshot snapshot() const;
 
-  /// The world without some of the obstacles, and with others after its last one. The remaining ones keep their order
-  /// and their keys, but not their ids. Only what is new is checked, and coverage is updated near the change. O(m log
-  /// n) for m vertices added or removed, and what is near them. Arrays of a world of the same origin that is gone are
-  /// used again: what follows the first vertex that the two have not in common is copied.
+  /// The world without some of the obstacles, and with others. An added obstacle takes the place of a removed one that
+  /// has as many vertices in each ring, as one that has moved: its id, those of its vertices, and its key. All others
+  /// follow the last obstacle, in their order, with new keys. The remaining ones keep their order and their keys; they
+  /// keep their ids unless an obstacle in front of them has left and none has taken its place.
+  ///
+  /// Only what is new is checked, and coverage is updated near the change. Arrays of a world of the same origin
+  /// that is gone are used again: what differs is written, and what follows the first vertex whose id differs is
+  /// copied. O(m log n) then for m vertices that differ, and what is near them. O(n) otherwise.
   /// @param removed  obstacles, ascending.
+  /// @param added  of several that may take a place, the first one here takes it; each takes the first place that it
+  ///   may. None takes that of a keep-out.
   /// @throws std::invalid_argument if `removed` does not ascend or names no obstacle.
   /// @throws WorldError with the index that a refused obstacle has in the new world.
   [[nodiscard]] World changed(std::span<const ObstacleId> removed, const std::vector<Polygon>& added) const;
@@ -162,8 +168,9 @@ class ARCWAY_API World {
   /// The number of obstacles, with the bounds if there are any.
   [[nodiscard]] std::size_t region_count() const { return obstacle_count() + (has_bounds() ? 1 : 0); }
   /// The key of an obstacle. A new world numbers its obstacles from 0, as their ids. `changed` gives an added obstacle
-  /// the next number that neither this world nor one that it came from has used. Keys therefore ascend by id. Snapshots
-  /// do not have them: the world of a snapshot is a new one. O(1). Precondition: not the bounds.
+  /// the key of the one whose place it takes, or the next number that neither this world nor one that it came from has
+  /// used. Keys therefore ascend by id. Snapshots do not have them: the world of a snapshot is a new one. O(1).
+  /// Precondition: not the bounds.
   [[nodiscard]] ObstacleKey key_of(ObstacleId o) const;
   /// The id of the obstacle with a key; kNone if there is none, or no longer. O(log obstacles).
   [[nodiscard]] ObstacleId obstacle_with(ObstacleKey key) const;

@@ -106,7 +106,7 @@ TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
   World world = catalog_world("clutter/convex/n200/m8/f30/s3");
   Polygon moving = to_map_file(world).obstacles[100];
   std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
-  std::vector<ObstacleId> removed{100};
+  const std::vector<ObstacleId> removed{100};
   for (int step = 0; step < 100; ++step) {
     for (Vec2& p : moving.outer) p += step % 20 < 10 ? Vec2(0.5, 0.0) : Vec2(-0.5, 0.0);
     const World after = world.changed(removed, {moving});
@@ -116,7 +116,6 @@ TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
     EXPECT_LT(changed->may_differ.size(), world.convex_vertices().size() / 3);
     rows = changed->rows;
     world = after;
-    removed = {199};
   }
   const auto anew = make_lazy_rows(world);
   for (const VertexId v : world.convex_vertices()) ASSERT_TRUE(std::ranges::equal(rows->of(v), anew->of(v))) << v;
@@ -141,11 +140,10 @@ TEST(ChangedRows, AreMadeAnewOnceMuchHasChanged) {
   World world = catalog_world("clutter/convex/n200/m8/f30/s3");
   std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
   int made_anew = 0;
-  for (int step = 0; step < 40; ++step) {
+  for (ObstacleId step = 0; step < 40; ++step) {
     SCOPED_TRACE(step);
-    // The first one, which then is the last.
-    const std::vector<ObstacleId> removed{0};
-    Polygon moved = to_map_file(world).obstacles.front();
+    const std::vector<ObstacleId> removed{step};  // another one each time
+    Polygon moved = world.polygon_of(step);
     for (Vec2& p : moved.outer) p += Vec2(0.3, 0.0);
     const World after = world.changed(removed, {moved});
     const WorldChange change(world, after, removed);

@@ -52,7 +52,7 @@ Driven drive(LivePlanner& planner, std::uint64_t seed) {
         EXPECT_NE(planner.world().obstacle_with(after[o].key), kNone);
       }
       const bool vanished = before[o].is_there && !after[o].is_there, back = !before[o].is_there && after[o].is_there;
-      const bool moved = before[o].is_there && after[o].is_there && before[o].key != after[o].key;
+      const bool moved = before[o].is_there && after[o].is_there && before[o].polygon.outer != after[o].polygon.outer;
       driven.vanished += vanished;
       driven.came_back += back;
       driven.moved += moved;

@@ -26,14 +26,31 @@ std::string error_of(const World& before, const World& after, const std::vector<
 TEST(WorldChange, MapsVerticesThatStay) {
   const World before({kFirst, kSecond}, test::square(-1, -1, 20));
   const std::vector<ObstacleId> removed{0};
-  const WorldChange change(before, before.changed(removed, {kThird}), removed);
-  std::vector<VertexId> vertices;
-  for (VertexId v = 0; v < change.vertices_before; ++v) vertices.push_back(change.vertex_after(v));
-  EXPECT_EQ(vertices, (std::vector<VertexId>{kNone, kNone, kNone, kNone, 0, 1, 2, 3, 8, 9, 10, 11}));
-  EXPECT_EQ(change.first_added, 4u);
-  EXPECT_EQ(change.end_added, 8u);
-  EXPECT_EQ(change.removed_boxes.size(), 1u);
-  EXPECT_EQ(change.added_boxes.size(), 1u);
+  const auto expect = [&](const Polygon& added, const std::vector<VertexId>& after, VertexId first, VertexId last) {
+    const WorldChange change(before, before.changed(removed, {added}), removed);
+    std::vector<VertexId> vertices;
+    for (VertexId v = 0; v < change.vertices_before; ++v) vertices.push_back(change.vertex_after(v));
+    EXPECT_EQ(vertices, after);
+    ASSERT_EQ(change.added_vertices.size(), 1u);
+    EXPECT_EQ(change.added_vertices[0].first, first);
+    EXPECT_EQ(change.added_vertices[0].last, last);
+    EXPECT_EQ(change.removed_boxes.size(), 1u);
+    EXPECT_EQ(change.added_boxes.size(), 1u);
+  };
+  const Polygon triangle{{{5, 0}, {6, 0}, {6, 1}}, {}};
+  expect(triangle, {kNone, kNone, kNone, kNone, 0, 1, 2, 3, 7, 8, 9, 10}, 4, 7);
+  expect(kThird, {kNone, kNone, kNone, kNone, 4, 5, 6, 7, 8, 9, 10, 11}, 0, 4);
+}
+
+// The new obstacle is equal to one that remains.
+TEST(WorldChange, TellsWhatWasAddedFromItsLike) {
+  const World before({kFirst, kSecond, kThird});
+  const std::vector<ObstacleId> removed{0};
+  const World after = before.changed(removed, {kSecond});
+  const WorldChange change(before, after, removed);
+  EXPECT_EQ(change.added_vertices[0].first, 0u);
+  EXPECT_EQ(change.vertex_after(4), 4u);
+  EXPECT_NE(error_of(before, after, {1}), "");
 }
 
 TEST(WorldChange, RefusesWorldsInAnotherOrder) {

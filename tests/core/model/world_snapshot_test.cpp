@@ -5,6 +5,7 @@
 
 #include "arcway/datasets/map_file.h"
 #include "arcway/world.h"
+#include "tests/support/known_obstacles.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/same_worlds.h"
 #include "tests/support/touching_worlds.h"
@@ -91,15 +92,15 @@ TEST(ChangedWorld, IsTheOneMadeOfItsPolygons) {
     test::RandomInputs random(seed);
     World world = test::nasty_world(seed, 12);
     for (int step = 0; step < 8; ++step) {
-      MapFile map = to_map_file(world);
+      const MapFile map = to_map_file(world);
+      test::KnownObstacles known(map.obstacles);
       std::vector<ObstacleId> removed;
       for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
         if (random.integer(0, 3) == 0) removed.push_back(o);
-      std::vector<Polygon> added = to_map_file(test::nasty_world(random.bits(), 4)).obstacles;
-      for (auto o = removed.rbegin(); o != removed.rend(); ++o) map.obstacles.erase(map.obstacles.begin() + *o);
-      map.obstacles.insert(map.obstacles.end(), added.begin(), added.end());
+      const std::vector<Polygon> added = to_map_file(test::nasty_world(random.bits(), 4)).obstacles;
+      known.change(removed, added);
       world = world.changed(removed, added);
-      test::expect_same_world(world, World(map.obstacles, map.bounds));
+      test::expect_same_world(world, World(known.polygons(), map.bounds));
       if (HasFatalFailure()) return;
     }
   }
@@ -128,6 +129,9 @@ TEST(ChangedWorld, KeepsKeysAndGivesNoneTwice) {
   for (const ObstacleKey gone : {1, 3, 6, 99}) EXPECT_EQ(world.obstacle_with(gone), kNone);
   EXPECT_EQ(change({0, 1, 2, 3}, 0), Keys{});
   EXPECT_EQ(change({}, 1), Keys{6});
+  EXPECT_EQ(change({}, 2), (Keys{6, 7, 8}));
+  EXPECT_EQ(change({0, 1}, 1), (Keys{6, 8})) << "one is in the place of the first one removed";
+  EXPECT_EQ(change({1}, 3), (Keys{6, 8, 9, 10}));
 }
 
 TEST(ChangedWorld, RefusesWhatItCannotRemoveOrAdd) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arcway/datasets/map_file.h"
+#include "tests/support/known_obstacles.h"
 #include "tests/support/nasty_worlds.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/same_worlds.h"
@@ -267,23 +268,24 @@ TEST(World, IsMadeOfPolygonsOrRings) {
   }
 }
 
-// A world and the polygons that it is made of.
+// A world and the obstacles that it is made of.
 struct KnownWorld {
+  explicit KnownWorld(const MapFile& map) : world(map.obstacles, map.bounds), obstacles(map.obstacles) {}
+  [[nodiscard]] World anew(const MapFile& map) const { return World(obstacles.polygons(), map.bounds); }
+
   World world;
-  std::vector<Polygon> obstacles;
+  test::KnownObstacles obstacles;
 };
 
 KnownWorld changed_at_random(const KnownWorld& from, test::RandomInputs& random) {
   std::vector<ObstacleId> removed;
-  std::vector<Polygon> obstacles, added = to_map_file(test::nasty_world(random.bits(), 2)).obstacles;
-  for (ObstacleId o = 0; o < from.obstacles.size(); ++o)
-    if (random.integer(0, 5) == 0) {
-      removed.push_back(o);
-    } else {
-      obstacles.push_back(from.obstacles[o]);
-    }
-  obstacles.insert(obstacles.end(), added.begin(), added.end());
-  return {from.world.changed(removed, added), std::move(obstacles)};
+  const std::vector<Polygon> added = to_map_file(test::nasty_world(random.bits(), 2)).obstacles;
+  for (ObstacleId o = 0; o < from.obstacles.all().size(); ++o)
+    if (random.integer(0, 5) == 0) removed.push_back(o);
+  KnownWorld after = from;
+  after.world = from.world.changed(removed, added);
+  after.obstacles.change(removed, added);
+  return after;
 }
 
 // Changes use arrays again of worlds that are gone. Some are kept meanwhile, and changed later in another way.
@@ -292,18 +294,18 @@ TEST(World, IsAfterAnyChangesTheSameAsMadeAnew) {
     SCOPED_TRACE(seed);
     test::RandomInputs random(seed);
     const MapFile map = to_map_file(test::nasty_world(seed, 14));
-    std::vector<KnownWorld> kept{{World(map.obstacles, map.bounds), map.obstacles}};
+    std::vector<KnownWorld> kept{KnownWorld(map)};
     for (int step = 0; step < 20; ++step) {
       const auto from = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(kept.size()) - 1));
       KnownWorld next = changed_at_random(kept[from], random);
-      test::expect_same_world(next.world, World(next.obstacles, map.bounds));
+      test::expect_same_world(next.world, next.anew(map));
       if (random.integer(0, 1) == 0 && kept.size() < 5) {
         kept.push_back(std::move(next));
       } else {
         kept[from] = std::move(next);
       }
     }
-    for (const KnownWorld& known : kept) test::expect_same_world(known.world, World(known.obstacles, map.bounds));
+    for (const KnownWorld& known : kept) test::expect_same_world(known.world, known.anew(map));
   }
 }
 
@@ -314,7 +316,7 @@ TEST(World, FindsTheRegionsThatMeetBoxes) {
     SCOPED_TRACE(seed);
     test::RandomInputs random(seed);
     const MapFile map = to_map_file(test::nasty_world(seed, 14));
-    KnownWorld known{World(map.obstacles, map.bounds), map.obstacles};
+    KnownWorld known(map);
     for (int step = 0; step < 12 && !known.world.vertices().empty(); ++step) {
       std::vector<Box> boxes(static_cast<std::size_t>(random.integer(0, 3)));
       for (Box& box : boxes) {
@@ -333,6 +335,30 @@ TEST(World, FindsTheRegionsThatMeetBoxes) {
     }
   }
   EXPECT_GT(found, 500u);
+}
+
+// An obstacle that moves keeps its place, and where two worlds lie between, nothing behind it is copied.
+TEST(World, HasAnObstacleThatMovesInItsPlace) {
+  std::vector<Polygon> obstacles;
+  for (int i = 0; i < 200; ++i) obstacles.push_back({square(3.0 * i, 0, 1), {}});
+  const Polygon triangle{{{3, 5}, {4, 5}, {4, 6}}, {}};
+  World world(obstacles), before = world;
+  for (const ObstacleId o : {7u, 150u, 7u, 0u, 199u}) {
+    Polygon moved = world.polygon_of(o);
+    for (Vec2& p : moved.outer) p.y() += 0.25;
+    const World after = world.changed(std::vector{o}, {moved});
+    EXPECT_EQ(after.obstacle_count(), 200u);
+    EXPECT_EQ(after.polygon_of(o).outer, moved.outer);
+    EXPECT_EQ(after.key_of(o), o);
+    EXPECT_EQ(after.obstacle_with(o), o);
+    obstacles[o] = moved;
+    test::expect_same_world(after, World(obstacles));
+    before = std::exchange(world, after);
+  }
+  const World other = world.changed(std::vector<ObstacleId>{7}, {triangle});
+  EXPECT_EQ(other.obstacle_with(7), kNone) << "another number of vertices";
+  EXPECT_EQ(other.key_of(199), 200u);
+  EXPECT_EQ(other.polygon_of(199).outer, triangle.outer);
 }
 
 // Coverage far from a change is copied, and near it is looked at again, also where a world that is gone differed.

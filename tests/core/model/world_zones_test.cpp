@@ -78,14 +78,14 @@ TEST(WorldZones, AWorldForOneVehicleIsMadeForAnother) {
 TEST(WorldZones, StayWhenTheMapChanges) {
   const World before = yard().for_vehicle(named("truck"));
   const std::vector<ObstacleId> wall{0};
-  const World after = before.changed(wall, {box(-9, -9, -8, -8)});
+  const World after = before.changed(wall, {{{{-9, -9}, {-8, -9}, {-8, -8}}, {}}});
   ASSERT_EQ(after.obstacle_count(), 3u);
   EXPECT_EQ(after.keep_out_of(0), 0u);
   EXPECT_EQ(after.keep_out_of(1), 1u);
   EXPECT_EQ(after.keep_out_of(2), kNone);
   EXPECT_EQ(after.zones().size(), 3u);
   EXPECT_EQ(after.for_vehicle(named("truck")).vertices().data(), after.vertices().data());
-  EXPECT_EQ(WorldChange(before, after, wall).end_added, 12u);
+  EXPECT_EQ(WorldChange(before, after, wall).added_vertices.front().last, 11u);
 }
 
 TEST(WorldZones, AKeepOutGoesWithItsObstacle) {
@@ -97,6 +97,18 @@ TEST(WorldZones, AKeepOutGoesWithItsObstacle) {
   EXPECT_EQ(after.keep_out_of(0), kNone);
   EXPECT_EQ(after.keep_out_of(1), 0u);
   EXPECT_EQ(after.for_vehicle(named("truck")).obstacle_count(), 2u);
+}
+
+// What takes a place is an obstacle of the map, and keep-outs follow all of these.
+TEST(WorldZones, NothingTakesThePlaceOfAKeepOut) {
+  const World before = yard().for_vehicle(named("truck"));
+  const World after = before.changed(std::vector<ObstacleId>{0, 1}, {box(-9, -9, -8, -8), box(-7, -9, -6, -8)});
+  ASSERT_EQ(after.obstacle_count(), 3u);
+  EXPECT_EQ(after.vertex(0), Vec2(-9, -9));
+  EXPECT_EQ(after.keep_out_of(0), kNone);
+  EXPECT_EQ(after.keep_out_of(1), 0u);
+  EXPECT_EQ(after.keep_out_of(2), kNone);
+  EXPECT_EQ(after.zones().size(), 2u);
 }
 
 TEST(WorldZones, SurviveSnapshots) {
