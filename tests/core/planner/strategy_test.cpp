@@ -122,11 +122,18 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
 TEST(Strategy, ChangesOfGearComeBeforeManeuvers) {
   const auto row = [](std::string_view name) { return std::ranges::find(kStrategy, name, &StrategyRow::name); };
   EXPECT_LT(row("changes of gear near the ends"), row("maneuvers"));
+  // Where no path is known, trees find one sooner.
+  const auto last_near = std::find_if(row("trees in both gears"), std::end(kStrategy),
+                                      [](const StrategyRow& r) { return r.name == "changes of gear near the ends"; });
+  ASSERT_NE(last_near, std::end(kStrategy));
+  EXPECT_LT(last_near, row("maneuvers"));
+  EXPECT_EQ(row("changes of gear near the ends")->when.known, Known::kPath);
   EXPECT_GT(row("changes of gear near the ends")->when.gap, 0.0);  // a path near its bound needs none
   EXPECT_LT(row("proof of an enclosure"), row("trees in both gears"));
   const auto later = std::find_if(row("trees in both gears"), std::end(kStrategy),
                                   [](const StrategyRow& r) { return r.name == "proof of an enclosure"; });
   ASSERT_NE(later, std::end(kStrategy));
+  EXPECT_GT(later, row("narrow trees of slim bodies in both gears"));
   EXPECT_GT(std::get<ProveEnclosure>(later->step).boxes,
             std::get<ProveEnclosure>(row("proof of an enclosure")->step).boxes);
   EXPECT_LT(row("trees in both gears"), row("maneuvers"));
