@@ -124,12 +124,16 @@ inline constexpr When kOtherTurns{.known = Known::kForwardPath,
                                   .best_gap = kWorthOtherRoutes,
                                   .most_gap = kTooFarForTurns};
 
+// Largest gap at which a path that joins or leaves the roadmap elsewhere is tried. Of 240 driven worlds with a larger
+// one, they make 3 faster, by up to 0.7 %.
+inline constexpr double kTooFarForEnds = 0.3;
 // A path that joins or leaves the roadmap elsewhere may also be the faster one where zones are slow.
 inline constexpr When kOtherEnds{.known = Known::kForwardPath,
                                  .care = Care::kThorough,
                                  .refines = true,
                                  .gap = 0.04,
                                  .best_gap = kWorthOtherRoutes,
+                                 .most_gap = kTooFarForEnds,
                                  .gap_counts_zones = true};
 
 // Number of radii of the circles of start and goal, where a path is there or easy to find. The vehicle is slow there,
@@ -253,18 +257,20 @@ inline constexpr StrategyRow kStrategy[] = {
     {"200 maneuvers at both ends",
      {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.2},
      TryManeuvers{.poses = 200, .least_gain = 0.001}},
+    // Of 160 driven worlds, they make 4 faster, none by more than 0.1 % whose gap is below 0.37.
     {"circles in gaps, for speed",
-     {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.05},
+     {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.2},
      TryNarrowPlaces{.least_gain = 0.001}},
     {"circles in gaps, for speed",
-     {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.1, .best_gap = 0.1},
+     {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.2, .best_gap = 0.2},
      TryNarrowPlaces{.least_gain = 0.001}},
     // Slower paths at first, they may be faster once refined.
     {"another last circle", kOtherEnds, TryOtherLastCircle{.slower = 0.03}},
     {"another first circle", kOtherEnds, TryOtherFirstCircle{.slower = 0.03}},
-    // Where an end is tight, trees look for wider turns out.
+    // Where an end is tight, trees look for wider turns out. Of 120 driven worlds, they make 3 with a gap below 0.5
+    // faster, by up to 1.9 %, for 40 to 130 ms each time that they are tried.
     {"trees at tight ends",
-     {.known = Known::kForwardPath, .grows_trees = true, .gap = 0.2, .tight_end = kPi / 8.0},
+     {.known = Known::kForwardPath, .grows_trees = true, .gap = 0.5, .tight_end = kPi / 8.0},
      GrowTrees{.on = On::kInUse,
                .share = 0.05,
                .passes = std::span(kTreePasses).first<1>(),
