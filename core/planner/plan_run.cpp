@@ -255,6 +255,7 @@ void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t sh
 
 void PlanRun::keep_in_both_gears() {
   if (!reversing_ || !reversing_->path() || std::exchange(kept_, reversing_->found()) == reversing_->found()) return;
+  if (cost_of(*reversing_->path()) > (1.0 + kWorthBothGears) * best_cost_) return;
   keep(Path(*reversing_->path()), 0, kBothGearsTrials, RefineMode::kBothGears);
 }
 

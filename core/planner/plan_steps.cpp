@@ -375,11 +375,16 @@ void PlanRun::take(const JoinBackwards&, double) {
 }
 
 void PlanRun::take(const JoinBetweenGears& step, double) {
-  search([&] { return reversing_search().join_between(step.attachments); });
+  ReversingSearch& reversing = reversing_search();
+  const bool are_few = step.few && !is_forward_found_ && reversing.path() && grown_ == reversing.found() &&
+                       !has_gap(reversing.cost(), step.gap, true);
+  search([&] { return reversing.join_between(are_few ? *step.few : step.attachments); });
 }
 
 void PlanRun::take(const GrowGearTrees& step, double) {
+  const std::size_t before = reversing_search().found();
   search([&] { return reversing_search().grow_gear_trees(step.poses); });
+  if (reversing_->found() > before) grown_ = reversing_->found();
   only_narrow_gears_ = false;
 }
 
@@ -418,7 +423,9 @@ void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
       is_refused = !free;
       return free;
     };
+    const std::size_t before = reversing_search().found();
     search([&] { return reversing_search().grow_slim_gear_trees(*slim, step.poses, most, widened); });
+    if (reversing_->found() > before) grown_ = reversing_->found();
     if (!is_refused) return;
   }
 }

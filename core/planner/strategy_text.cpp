@@ -118,7 +118,8 @@ struct StepText {
   std::string operator()(const RefineBest&) const { return "refine the best path further"; }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
   std::string operator()(const JoinBetweenGears& step) const {
-    return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) +
+    const std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees," : "";
+    return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) + few +
            " poses of each end, cells of 1/" + shortest_text(step.attachments.cells) + " turning radius";
   }
   std::string operator()(const GrowGearTrees& step) const {

@@ -22,7 +22,7 @@ constexpr double kCells = 4.0;            // cells of the trees' grids in a turn
 constexpr double kMostCells = 4096.0;     // finest grid
 constexpr double kFiner = 4.0;            // ratio of cells from one grid to the next finer one
 constexpr std::size_t kWordsTried = 8;    // words tried from a pose: the cheapest ones that have room there
-constexpr std::size_t kPosesAfter = 300;  // poses tried after the first path, beyond as many as it took
+constexpr std::size_t kPosesAfter = 150;  // poses tried after the first path, beyond as many as it took
 
 class GearSearch {
  public:

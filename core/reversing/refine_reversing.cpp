@@ -30,6 +30,8 @@ namespace {
 
 // Share of the cost that a step must save. 1e-6 takes a sixth more trials for plans that are as fast in the mean.
 constexpr double kLeastSaving = 1e-4;
+// Share of the cost that a sweep of words, or a round of moves, must save for another one to follow.
+constexpr double kWorthRepeating = 0.01;
 
 void append(Path& path, const PathSegment& segment) {
   if (segment.length > 0.0) path.push_back(segment);
@@ -73,8 +75,9 @@ class ReversingRefiner {
  private:
   // Leads to an optimum of the moves that are tried in rounds.
   void improve() {
-    for (int round = 0; round < kMostGearRounds && !done(); ++round)
-      if (!take_all(Stage::kImprove, round)) break;
+    for (int round = 0; round < kMostGearRounds && !done(); ++round) {
+      if (!take_all(Stage::kImprove, round) || !is_worth_repeating(cost_of_words_)) break;
+    }
   }
 
   // Leaves out gear changes at the optimum of the other moves, and improves what remains.
@@ -119,7 +122,7 @@ class ReversingRefiner {
       std::uint64_t& vain = vain_[row.move.index()];
       if (vain == result_.improvements) continue;
       const bool helps = std::visit([this](const auto& move) { return take(move); }, row.move);
-      const bool is_repeated = std::holds_alternative<InsertGearWords>(row.move);  // until it finds nothing
+      const bool is_repeated = std::holds_alternative<InsertGearWords>(row.move);  // until it saves next to nothing
       if ((!helps || is_repeated) && !done()) vain = result_.improvements;
       again = again || (helps && round <= row.last_round);
     }
@@ -173,10 +176,19 @@ class ReversingRefiner {
     return stations;
   }
 
-  // Puts words between places of the path until none makes it cheaper.
+  // Whether what has saved this much is tried again.
+  [[nodiscard]] bool is_worth_repeating(double cost_before) const {
+    return cost_ < (1.0 - kWorthRepeating) * cost_before;
+  }
+
+  // Puts words between places of the path until that saves next to nothing.
   bool take(const InsertGearWords& move) {
     bool changed = false;
-    while (!done() && sweep_words(move)) changed = true;
+    for (double before = cost_; !done() && sweep_words(move); before = cost_) {
+      changed = true;
+      if (!is_worth_repeating(before)) break;
+    }
+    cost_of_words_ = cost_;
     return changed;
   }
 
@@ -494,6 +506,7 @@ class ReversingRefiner {
   std::size_t most_cusps_;
   std::uint64_t most_trials_;  // until the next stage
   double cost_ = kInfinity;
+  double cost_of_words_ = kInfinity;  // of the path when words were last put in
   // By kind of move, the number of improvements when it last found nothing.
   static constexpr std::uint64_t kNeverVain = std::numeric_limits<std::uint64_t>::max();
   std::array<std::uint64_t, std::variant_size_v<GearMove>> vain_;

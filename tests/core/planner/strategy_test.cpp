@@ -118,15 +118,31 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
   EXPECT_FALSE(tries_them("driven/rooms/r1/g1/c50/s2007"));   // 27 %
 }
 
+// What other ends, circles in gaps and trees at tight ends gain is not worth their time at these gaps.
+TEST(Strategy, RowsForSpeedAreLeftOutWhereTheyWinLittle) {
+  for (const StrategyRow& row : kStrategy) {
+    if (row.name == "another last circle" || row.name == "another first circle") EXPECT_LE(row.when.most_gap, 0.3);
+    if (row.name == "circles in gaps, for speed") EXPECT_GE(row.when.gap, 0.2);
+    if (row.name == "trees at tight ends") EXPECT_GE(row.when.gap, 0.5);
+  }
+}
+
 // Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
 TEST(Strategy, ChangesOfGearComeBeforeManeuvers) {
   const auto row = [](std::string_view name) { return std::ranges::find(kStrategy, name, &StrategyRow::name); };
   EXPECT_LT(row("changes of gear near the ends"), row("maneuvers"));
+  // Where no path is known, trees find one sooner.
+  const auto last_near = std::find_if(row("trees in both gears"), std::end(kStrategy),
+                                      [](const StrategyRow& r) { return r.name == "changes of gear near the ends"; });
+  ASSERT_NE(last_near, std::end(kStrategy));
+  EXPECT_LT(last_near, row("maneuvers"));
+  EXPECT_EQ(row("changes of gear near the ends")->when.known, Known::kPath);
   EXPECT_GT(row("changes of gear near the ends")->when.gap, 0.0);  // a path near its bound needs none
   EXPECT_LT(row("proof of an enclosure"), row("trees in both gears"));
   const auto later = std::find_if(row("trees in both gears"), std::end(kStrategy),
                                   [](const StrategyRow& r) { return r.name == "proof of an enclosure"; });
   ASSERT_NE(later, std::end(kStrategy));
+  EXPECT_GT(later, row("narrow trees of slim bodies in both gears"));
   EXPECT_GT(std::get<ProveEnclosure>(later->step).boxes,
             std::get<ProveEnclosure>(row("proof of an enclosure")->step).boxes);
   EXPECT_LT(row("trees in both gears"), row("maneuvers"));
