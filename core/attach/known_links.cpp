@@ -1,5 +1,7 @@
 #include "core/attach/known_links.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 
@@ -9,6 +11,9 @@ namespace {
 
 // Number of circles whose straights are kept: more than the searches of a query have.
 constexpr std::size_t kMostKnown = 64;
+// Number of straights that are kept. In open places a circle has ten thousands, and they would take megabytes. Queries
+// among 100 obstacles have some hundred a circle.
+constexpr std::size_t kMostLinks = 1 << 13;
 
 bool is_same(const AttachmentCircle& a, const AttachmentCircle& b) {
   return a.circle.center == b.circle.center && a.circle.radius == b.circle.radius && a.circle.side == b.circle.side &&
@@ -17,6 +22,13 @@ bool is_same(const AttachmentCircle& a, const AttachmentCircle& b) {
 
 bool is_same(const Footprint& a, const Footprint& b) {
   return a.front == b.front && a.rear == b.rear && a.left == b.left && a.right == b.right;
+}
+
+// Whether radii are the smallest ones of more. Without memory.
+bool are_smallest(const CircleRadii& radii, const CircleRadii& more) {
+  return radii.size() < more.size() && std::ranges::all_of(std::array{Side::kLeft, Side::kRight}, [&](Side side) {
+           return std::ranges::equal(radii.of(side), more.of(side).first(radii.size()));
+         });
 }
 
 // Where the circles of a graph are in one of fewer radii.
@@ -47,7 +59,7 @@ class SmallerGraph {
 
 void KnownLinks::begin() {
   keeps_ = true;
-  size_ = 0;
+  size_ = links_ = 0;
 }
 
 bool KnownLinks::append(const PathEnd& end, const AttachmentCircle& own, const LengthLimit& limit, std::uint32_t index,
@@ -68,8 +80,7 @@ bool KnownLinks::append_from(const Entry& entry, const Roadmap& map, const Lengt
   const auto graph = entry.graph.lock();
   if (!graph) return false;
   const bool is_same_graph = entry.circles.lock() == map.circles;
-  if (!is_same_graph && !(map.radii.size() < entry.radii.size() && map.radii == entry.radii.first(map.radii.size())))
-    return false;
+  if (!is_same_graph && !are_smallest(map.radii, entry.radii)) return false;
   const std::span<const TurnCircle> circles = map.graph->circles();
   const SmallerGraph smaller(graph->turn_circles(), entry.radii.size(), map.radii.size());
   if (!is_same_graph && smaller.size() != circles.size()) return false;
@@ -88,7 +99,8 @@ bool KnownLinks::append_from(const Entry& entry, const Roadmap& map, const Lengt
 
 void KnownLinks::keep(const PathEnd& end, const AttachmentCircle& own, const LengthLimit& limit,
                       const HugeVector<AttachmentLink>& links, std::size_t first) {
-  if (!keeps_ || !is_all(limit) || size_ == kMostKnown) return;
+  if (!keeps_ || !is_all(limit) || size_ == kMostKnown || links_ + links.size() - first > kMostLinks) return;
+  links_ += links.size() - first;
   if (size_ == entries_.size()) entries_.emplace_back();
   Entry& entry = entries_[size_++];
   entry.circles = end.map.circles;

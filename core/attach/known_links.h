@@ -48,7 +48,8 @@ class KnownLinks {
                           HugeVector<AttachmentLink>& links);
 
   bool keeps_ = false;
-  std::size_t size_ = 0;  // of the entries, the first so many are in use
+  std::size_t size_ = 0;   // of the entries, the first so many are in use
+  std::size_t links_ = 0;  // of these
   std::vector<Entry> entries_;
 };
 

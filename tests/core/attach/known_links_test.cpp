@@ -166,6 +166,18 @@ TEST_F(KnownLinksTest, AreThoseOfOneDirection) {
   EXPECT_FALSE(known_.append({map_, Direction::kToGoal}, own, limit(Direction::kFromStart), 0, links));
 }
 
+TEST_F(KnownLinksTest, AreNotKeptWhereTheyAreVeryMany) {
+  known_.begin();
+  const AttachmentCircle own = circle(map_, Direction::kFromStart);
+  const Links many(10'000);
+  known_.keep({map_, Direction::kFromStart}, own, limit(Direction::kFromStart), many, 0);
+  EXPECT_EQ(known_.size(), 0U);
+  known_.keep({map_, Direction::kFromStart}, own, limit(Direction::kFromStart), many, 5'000);
+  EXPECT_EQ(known_.size(), 1U);
+  known_.keep({map_, Direction::kFromStart}, own, limit(Direction::kFromStart), many, 5'000);
+  EXPECT_EQ(known_.size(), 1U);
+}
+
 TEST_F(KnownLinksTest, AreKeptForOneQuery) {
   keep(map_, Direction::kFromStart);
   EXPECT_EQ(known_.size(), 0U);
