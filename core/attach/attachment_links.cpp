@@ -25,6 +25,11 @@ void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<st
   });
 }
 
+// The longest way between the other end and the center of an attachment's circle.
+double longest_way(const LengthLimit& limit, const TurnCircle& own) {
+  return limit.length * (1.0 + kLengthRounding) + own.radius;
+}
+
 // Backwards from the goal, a path turns in the other direction on the circle.
 TurnCircle circle_away(const TurnCircle& circle, bool from_start) {
   return from_start ? circle : TurnCircle{circle.center, circle.radius, opposite(circle.side), circle.vertex};
@@ -41,7 +46,7 @@ class CircleLinks {
         own_(own),
         limit_(limit),
         is_limited_(limit.length < std::numeric_limits<double>::infinity()),
-        longest_(limit.length * (1.0 + kLengthRounding) + own.circle.radius),
+        longest_(longest_way(limit, own.circle)),
         horizon_(circle_away(own.circle, from_start_), from_start_ ? own.heading : own.heading + kPi, own.reach) {}
 
   // Pieces of outline that no nearer one hides. If their circles are more than the limit allows, the nearest come
@@ -79,7 +84,7 @@ class CircleLinks {
     const TurnCircle& other = graph_circles_[circle];
     const Side side = from_start_ ? other.side : opposite(other.side);
     const auto tangent = horizon_.free_tangent_to(TurnCircle{other.center, other.radius, side, kNone});
-    if (!tangent || is_far(other)) return;
+    if (!tangent || is_beyond(limit_, own_.circle, other)) return;
     // Most other circles are blocked at their heading. An approximate heading shows that, and exact ones are far
     // slower.
     const double about = from_start_ ? tangent->heading : tangent->heading + (tangent->heading < kPi ? kPi : -kPi);
@@ -97,10 +102,6 @@ class CircleLinks {
   [[nodiscard]] bool is_far(const Box& box) const {
     return is_limited_ && box.distance_to(limit_.other_end) + box.distance_to(own_.circle.center) > longest_;
   }
-  [[nodiscard]] bool is_far(const TurnCircle& other) const {
-    return is_limited_ && (limit_.other_end - other.center).norm() + (own_.circle.center - other.center).norm() >
-                              longest_ + 2.0 * other.radius;
-  }
 
   const Roadmap& map_;
   const CircleTable& circles_;
@@ -114,6 +115,11 @@ class CircleLinks {
 };
 
 }  // namespace
+
+bool is_beyond(const LengthLimit& limit, const TurnCircle& own, const TurnCircle& other) {
+  const double way = (limit.other_end - other.center).norm() + (own.center - other.center).norm();
+  return way > longest_way(limit, own) + 2.0 * other.radius;
+}
 
 void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachment> attachments, std::size_t first,
                                      std::vector<AttachmentCircle>& circles, const StopClock& clock) {

@@ -53,6 +53,11 @@ struct LengthLimit {
   std::size_t most_links = std::numeric_limits<std::size_t>::max();
 };
 
+/// Whether no straight is left out for there are too many.
+inline bool is_all(const LengthLimit& limit) { return limit.most_links == std::numeric_limits<std::size_t>::max(); }
+/// Whether straights between a circle of the attachment and another one are on no path within the limit.
+bool is_beyond(const LengthLimit& limit, const TurnCircle& own, const TurnCircle& other);
+
 /// One end of the paths on a roadmap.
 struct PathEnd {
   const Roadmap& map;

@@ -158,7 +158,7 @@ SearchAttachments::Range SearchAttachments::links_from(std::uint32_t start_circl
     const Attachment& start = context_->starts[start_circles_[start_circle].attachment];
     const LengthLimit limit{context_->goal, longest_path_ - length_of(start.connection),
                             start.connection.empty() ? kUnlimited : most_start_links_};
-    links_.append_links({context_->map, Direction::kFromStart}, start_circles_, start_circle, limit, start_links_);
+    append_links(Direction::kFromStart, start_circle, limit, start_links_);
     range.last = static_cast<std::uint32_t>(start_links_.size());
   }
   return range;
@@ -170,11 +170,21 @@ void SearchAttachments::add_goal_links(std::uint32_t goal_circle) {
                           goal.connection.empty() ? kUnlimited : most_goal_links_};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
-  links_.append_links({context_->map, Direction::kToGoal}, goal_circles_, goal_circle, limit, found_);
+  append_links(Direction::kToGoal, goal_circle, limit, found_);
   for (const AttachmentLink& link : found_) {
     goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
   }
+}
+
+void SearchAttachments::append_links(Direction direction, std::uint32_t circle, const LengthLimit& limit,
+                                     HugeVector<AttachmentLink>& links) {
+  const PathEnd end{context_->map, direction};
+  const auto& circles = direction == Direction::kFromStart ? start_circles_ : goal_circles_;
+  if (known_links_.append(end, circles[circle], limit, circle, links)) return;
+  const std::size_t first = links.size();
+  links_.append_links(end, circles, circle, limit, links);
+  known_links_.keep(end, circles[circle], limit, links, first);
 }
 
 bool SearchAttachments::is_free(GoalLink& goal) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/attach/attachment_links.h"
+#include "core/attach/known_links.h"
 #include "core/attach/per_circle.h"
 #include "core/attach/search_context.h"
 #include "core/base/huge_pages.h"
@@ -32,6 +33,8 @@ class SearchAttachments {
 
   /// Forgets the search before.
   void forget();
+  /// Searches from now on are those of one query: they share the straights that they find.
+  void begin_query() { known_links_.begin(); }
   /// Forgets the search before, and takes memory for a graph of `circles` circles.
   void warm_up(std::size_t circles);
   /// Whether the attachments of the search before are the first ones of this search.
@@ -77,12 +80,16 @@ class SearchAttachments {
   void try_direct(std::uint32_t start, std::uint32_t goal, const SideRadii& radii, DubinsWord word);
   bool is_free(const PathSegment& segment);
   void add_goal_links(std::uint32_t goal_circle);
+  // Appends the links of a circle, known ones if there are some.
+  void append_links(Direction direction, std::uint32_t circle, const LengthLimit& limit,
+                    HugeVector<AttachmentLink>& links);
 
   SearchContext* context_ = nullptr;
   double longest_path_ = 0.0;                               // longest path that is wanted [m]
   std::size_t most_start_links_ = 0, most_goal_links_ = 0;  // for each circle of a maneuver
   HeadingSet headings_;                                     // memory
   AttachmentLinks links_;                                   // memory
+  KnownLinks known_links_;
   std::vector<Pose> starts_, goals_;
   std::vector<AttachmentCircle> start_circles_, goal_circles_;
   HugeVector<AttachmentLink> start_links_, found_;

@@ -37,6 +37,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
   search_options_.prefetch = query.limits.prefetch;
   workspace_.unrefined_costs.clear();
   workspace_.ways.clear();
+  workspace_.find.search.begin_query();
   if (map_.clearance_cost)
     close_ends_ = close_ends_cost(*map_.clearance_cost, map_.vehicle, *map_.outlines, query.request.start,
                                   query.request.goal, distance_);

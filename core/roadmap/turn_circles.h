@@ -73,6 +73,8 @@ class TurnCircles {
     for (const std::uint32_t c : more_[right].of(v)) visit(c);
   }
 
+  /// The number of circles around single vertices.
+  [[nodiscard]] std::size_t own_count() const { return own_count_; }
   /// The number of base circles. The added ones follow them.
   [[nodiscard]] std::size_t base_count() const { return base_count_; }
   /// Calls visit(circle) for each circle of which this is the first vertex.

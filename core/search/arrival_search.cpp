@@ -667,6 +667,8 @@ SearchResult ArrivalSearch::find(const Roadmap& map, std::span<const Attachment>
   return result;
 }
 
+void ArrivalSearch::begin_query() { memory_->attachments.begin_query(); }
+
 void ArrivalSearch::warm_up(std::size_t circles) {
   const std::size_t many = std::min(circles / 2, kManyLabels);
   memory_->map.reset();

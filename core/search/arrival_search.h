@@ -59,6 +59,8 @@ class ArrivalSearch {
   SearchResult find(const Roadmap& map, std::span<const Attachment> starts, std::span<const Attachment> goals,
                     const SearchOptions& options);
 
+  /// Searches from now on are those of one query: they share what they find out about start and goal.
+  void begin_query();
   /// Forgets the search before, and takes most of the memory that a search on a graph of `circles` circles needs.
   void warm_up(std::size_t circles);
   /// Takes the memory of a path that a search returned.
