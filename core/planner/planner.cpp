@@ -54,6 +54,16 @@ std::shared_ptr<const FeasibleGraph> make_feasible_graph(const FeasibleGraphInpu
   return build_feasible_graph(inputs, executor, process_group);
 }
 
+void require_segments(std::span<const PathSegment> path, const Vehicle& vehicle) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::string name = "segment " + std::to_string(i);
+    if (!(path[i].length >= 0.0))
+      throw std::invalid_argument(name + ": length " + shortest_text(path[i].length) + " m, must be >= 0");
+    require_pose(name + ": start", path[i].start, vehicle);
+    require_pose(name + ": end", path[i].end(), vehicle);
+  }
+}
+
 // The queries of motions: about obstacles, and about the directions that zones forbid.
 QuerySet motion_queries(const World& world, const Backend& backend) {
   QuerySet queries = backend.queries();
@@ -432,14 +442,13 @@ bool Planner::is_free(const Pose& pose) const {
 }
 
 bool Planner::is_free(std::span<const PathSegment> path) const {
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::string name = "segment " + std::to_string(i);
-    if (!(path[i].length >= 0.0))
-      throw std::invalid_argument(name + ": length " + shortest_text(path[i].length) + " m, must be >= 0");
-    require_pose(name + ": start", path[i].start, vehicle());
-    require_pose(name + ": end", path[i].end(), vehicle());
-  }
+  require_segments(path, vehicle());
   return motion_free(*data_->map().queries.sweep, data_->map().body, path);
+}
+
+bool Planner::is_free_without_margin(std::span<const PathSegment> path) const {
+  require_segments(path, vehicle());
+  return motion_free(*data_->map().queries.sweep, vehicle().body(), path);
 }
 
 std::optional<CloseDriving> Planner::close_driving(std::span<const PathSegment> path) const {

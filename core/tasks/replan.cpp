@@ -1,6 +1,7 @@
 #include "arcway/replan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -130,20 +131,32 @@ class Replanner {
   void brake(Replan& next) const {
     const double a = queries_.vehicle.max_acceleration(), length = 0.5 * now_.speed * now_.speed / a;
     const PathSegment curve{now_.pose, length, now_.curvature, now_.gear}, line{now_.pose, length, 0.0, now_.gear};
-    for (const Path& path : {along_rest(length), Path{curve}, Path{line}}) {
-      if (path.empty() || !queries_.is_free(path)) continue;
-      next.motion = NextMotion::kBraking;
-      double speed = now_.speed;
-      for (const PathSegment& segment : path) {
-        const double out = std::sqrt(std::max(0.0, speed * speed - 2.0 * a * segment.length));
-        const bool is_last = &segment == &path.back();
-        next.segments.push_back({segment, speed, is_last ? 0.0 : out, (speed - (is_last ? 0.0 : out)) / a});
-        next.travel_time += next.segments.back().duration;
-        speed = out;
-      }
+    const std::array<Path, 3> ways{along_rest(length), Path{curve}, Path{line}};
+    const auto brake_where = [&](const auto& is_free) {
+      const auto way = std::ranges::find_if(ways, [&](const Path& path) { return !path.empty() && is_free(path); });
+      if (way != ways.end()) brake_along(*way, next);
+      return way != ways.end();
+    };
+    if (brake_where(queries_.is_free)) return;
+    // A contact with the margin, if only by rounding, is no reason not to stop.
+    if (queries_.is_free_without_margin && brake_where(queries_.is_free_without_margin)) {
+      next.reason += "; braking comes into the safety margin";
       return;
     }
     next.reason += "; neither does any braking tried stay free";
+  }
+
+  void brake_along(const Path& path, Replan& next) const {
+    const double a = queries_.vehicle.max_acceleration();
+    next.motion = NextMotion::kBraking;
+    double speed = now_.speed;
+    for (const PathSegment& segment : path) {
+      const double out = std::sqrt(std::max(0.0, speed * speed - 2.0 * a * segment.length));
+      const bool is_last = &segment == &path.back();
+      next.segments.push_back({segment, speed, is_last ? 0.0 : out, (speed - (is_last ? 0.0 : out)) / a});
+      next.travel_time += next.segments.back().duration;
+      speed = out;
+    }
   }
 
   [[nodiscard]] Path along_rest(double length) const {
@@ -198,7 +211,8 @@ Replan replan(const Planner& planner, const Trajectory& driven, double time, con
     throw std::invalid_argument("replan: the motion is of another vehicle than the planner's");
   return replan_by({planner.vehicle(), [&](std::span<const PathSegment> path) { return planner.is_free(path); },
                     [&](const PlanRequest& request, const PlanLimits& limits) { return planner.plan(request, limits); },
-                    [&](std::span<const PathSegment> path) { return clearance_cost(planner, path); }},
+                    [&](std::span<const PathSegment> path) { return clearance_cost(planner, path); },
+                    [&](std::span<const PathSegment> path) { return planner.is_free_without_margin(path); }},
                    driven, time, options);
 }
 

@@ -14,6 +14,8 @@ struct ReplanQueries {
   std::function<PlanResult(const PlanRequest&, const PlanLimits&)> plan;
   /// What driving close to obstacles costs on a path [s]; empty: nothing.
   std::function<double(std::span<const PathSegment>)> clearance_cost = {};
+  /// Planner::is_free_without_margin; empty: no motion may come into the margin.
+  std::function<bool(std::span<const PathSegment>)> is_free_without_margin = {};
 };
 
 /// arcway::replan by other queries. The vehicle of the motion is that of the queries.

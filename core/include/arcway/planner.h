@@ -242,6 +242,9 @@ class ARCWAY_API Planner {
   /// query a segment. Thread-safe.
   /// @throws std::invalid_argument naming the first segment whose length is negative or whose ends `plan` refuses.
   [[nodiscard]] bool is_free(std::span<const PathSegment> path) const;
+  /// As is_free, for the body without any of the safety margin: what a vehicle may still drive, to stop, that has come
+  /// that near to an obstacle, or an obstacle to it.
+  [[nodiscard]] bool is_free_without_margin(std::span<const PathSegment> path) const;
   /// What a path drives closer to obstacles than PlannerOptions::clearance_preference, in whichever gears; nothing
   /// without a preference. O(log n + edges near by) a segment. Thread-safe.
   [[nodiscard]] std::optional<CloseDriving> close_driving(std::span<const PathSegment> path) const;

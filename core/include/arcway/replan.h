@@ -17,7 +17,7 @@ enum class NextMotion {
   kKept,      ///< the rest of the motion before, which is still free
   kPlanned,   ///< a new plan from where the vehicle is, with its speed
   kRepaired,  ///< parts of the motion before that are free, and a plan between them around what blocks it
-  kBraking,   ///< it brakes to a stop, which is free: no motion to the goal was found in time
+  kBraking,   ///< it brakes to a stop, which touches nothing: no motion to the goal was found in time
   kNoMotion   ///< nothing found is free, not even braking; that is no proof that nothing is
 };
 /// "kept", "planned", "repaired", "braking" or "none".
@@ -56,7 +56,8 @@ struct ReplanOptions {
 ///    repaired motion, and the rest, if that is free and leads to the goal, is taken.
 /// 4. If there is none, the vehicle goes on to where the motion before ends, if that is free and at rest, as one
 ///    that brakes already. Else it brakes as hard as it may: along the rest, along its curve, or straight on. The first
-///    of these that is free is taken.
+///    of these that is free is taken; if none is, the first one that is free without the safety margin, as `reason`
+///    says.
 ///
 /// Every motion given was decided to be free on the planner's map by exact queries. Time: that of the limits, as of
 /// Planner::plan, and some sweep queries. Thread-safe.

@@ -115,6 +115,30 @@ TEST(Replan, BrakesWithoutTime) {
   EXPECT_NE(lost.reason.find("neither does any braking tried stay free"), std::string::npos);
 }
 
+// A wall has come up beside the vehicle, within half of its margin of 1 mm.
+TEST(Replan, BrakesInsideTheMarginRatherThanNotAtAll) {
+  const World world(std::vector<Polygon>{Polygon::rectangle({60.0, 60.0}, {61.0, 61.0})});
+  const Planner before(world, robot());
+  const Trajectory driven = before.plan(Pose{0.0, 0.0, 0.0}, Pose{40.0, 0.0, 0.0}).trajectory();
+  const TrajectoryState now = driven.at(4.0);
+  const double side = 0.5 * robot().footprint().width();
+  const auto with_wall = [&](double beside) {
+    return before.with_obstacles({}, {Polygon::rectangle({0.0, side + beside}, {30.0, side + beside + 1.0})});
+  };
+  for (const double beside : {1e-4, 1e-9}) {
+    const Planner planner = with_wall(beside);
+    const Replan next = replan(planner, driven, now.time);
+    ASSERT_EQ(next.motion, NextMotion::kBraking) << next.reason;
+    EXPECT_NE(next.reason.find("; braking comes into the safety margin"), std::string::npos);
+    EXPECT_EQ(next.segments.back().speed_out, 0.0);
+    expect_valid(planner, next, now);
+  }
+  const Replan touching = replan(with_wall(-1e-9), driven, now.time);
+  EXPECT_EQ(touching.motion, NextMotion::kNoMotion);
+  const Replan apart = replan(with_wall(0.6e-3), driven, now.time);
+  EXPECT_EQ(apart.motion, NextMotion::kKept);
+}
+
 TEST(Replan, LeadsToAnotherGoalOrGoesOnBraking) {
   const World world(std::vector<Polygon>{Polygon::rectangle({60.0, 60.0}, {61.0, 61.0})});
   const Planner planner(world, robot());
