@@ -22,7 +22,7 @@ constexpr std::size_t kLinksOfPoses = 1 << 16;
 constexpr std::size_t kVerticesALink = 2;
 constexpr std::size_t kLeastLinks = 2;
 
-bool is_same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
+bool is_same_pose(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
 
 // Number of straights by which each new circle of a maneuver may join the roadmap. Together they take half of what is
 // left.
@@ -35,7 +35,7 @@ std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::s
 // Whether the poses of `all` begin with `some`.
 bool begin_with(std::span<const Attachment> all, const std::vector<Pose>& some) {
   return some.size() <= all.size() &&
-         std::ranges::equal(some, all.first(some.size()), is_same, {}, [](const Attachment& t) { return t.pose; });
+         std::ranges::equal(some, all.first(some.size()), is_same_pose, {}, [](const Attachment& t) { return t.pose; });
 }
 
 }  // namespace
