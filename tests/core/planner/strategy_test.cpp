@@ -121,9 +121,15 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
 // What other ends, circles in gaps and trees at tight ends gain is not worth their time at these gaps.
 TEST(Strategy, RowsForSpeedAreLeftOutWhereTheyWinLittle) {
   for (const StrategyRow& row : kStrategy) {
-    if (row.name == "another last circle" || row.name == "another first circle") EXPECT_LE(row.when.most_gap, 0.3);
-    if (row.name == "circles in gaps, for speed") EXPECT_GE(row.when.gap, 0.2);
-    if (row.name == "trees at tight ends") EXPECT_GE(row.when.gap, 0.5);
+    if (row.name == "another last circle" || row.name == "another first circle") {
+      EXPECT_LE(row.when.most_gap, 0.3);
+    }
+    if (row.name == "circles in gaps, for speed") {
+      EXPECT_GE(row.when.gap, 0.2);
+    }
+    if (row.name == "trees at tight ends") {
+      EXPECT_GE(row.when.gap, 0.5);
+    }
   }
 }
 
