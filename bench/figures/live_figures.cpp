@@ -59,7 +59,7 @@ struct Recording {
     for (const Moment& moment : moments) {
       const auto& now = moment.obstacles[obstacle];
       if (now.is_there != moments.front().obstacles[obstacle].is_there ||
-          now.key != moments.front().obstacles[obstacle].key)
+          now.polygon.outer != moments.front().obstacles[obstacle].polygon.outer)
         return true;
     }
     return false;

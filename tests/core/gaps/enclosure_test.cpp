@@ -44,13 +44,14 @@ TEST(Enclosure, ABendThatTheBodyDoesNotGetRound) {
   for (const double lane : {1.0961, 1.1, 1.2}) EXPECT_FALSE(enclosure(bend(lane), vehicle, inside, outside)) << lane;
 }
 
-// This one takes more boxes than are tried before trees of 2,000 poses grow.
+// This one takes more boxes than are tried before trees in both gears and those of slim bodies grow, of 2,000 and 4,000
+// poses.
 TEST(Enclosure, IsKnownBeforeAWayOutOfNarrowPlacesIsLookedFor) {
   const Planner planner(bend(1.0), Vehicle{});
   const PlanResult plan = planner.plan({.start = {2, 0.5, 0}, .goal = {9.5, 15, kPi / 2.0}, .reverse = true});
   EXPECT_EQ(plan.status, PlanStatus::kNoPassage);
   EXPECT_NE(plan.reason.find("however the body is moved"), std::string::npos) << plan.reason;
-  EXPECT_LT(plan.statistics.maneuver_poses, 2200u);
+  EXPECT_LT(plan.statistics.maneuver_poses, 6200u);
 }
 
 // No part of a body that is far shorter than wide stays covered while it moves and turns in a large box.
