@@ -73,6 +73,7 @@ Recording record(const std::function<Backend(const World&)>& make_backend) {
   const World& world = recording.world;
   const std::vector<PlanRequest> requests = bench::queries_for(vehicle, world, kGoals, 1);
   std::vector<Pose> goals;
+  goals.reserve(requests.size());
   for (const PlanRequest& request : requests) goals.push_back(request.goal);
   bench::ChangedPlanner planner(Planner(world, vehicle, make_backend(world), {.refinement = {.max_trials = kTrials}}));
   const Trajectory first = planner.planner().plan(requests.front()).trajectory();

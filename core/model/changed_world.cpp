@@ -105,14 +105,14 @@ World::Data::Change::Change(const World& world, std::span<const ObstacleId> the_
 
   std::vector<VertexRange> gone, come;
   for (const ObstacleId o : removed) gone.push_back(world.vertices_of(o));
-  VertexId next = 0;
+  VertexId end = 0;
   for (const Run& run : runs) {
     if (run.added == kStay)
-      next += world.vertices_of(run.before + (run.end - run.begin) - 1).last - world.vertices_of(run.before).first;
+      end += world.vertices_of(run.before + (run.end - run.begin) - 1).last - world.vertices_of(run.before).first;
     for (std::size_t i = run.added; run.added != kStay && i < run.added + (run.end - run.begin); ++i) {
-      const VertexId first = next;
-      next += static_cast<VertexId>(vertex_count_of(added.subspan(i, 1)));
-      come.push_back({first, next});
+      const VertexId first = end;
+      end += static_cast<VertexId>(vertex_count_of(added.subspan(i, 1)));
+      come.push_back({first, end});
     }
   }
   map = VertexMap(std::move(gone), std::move(come));
