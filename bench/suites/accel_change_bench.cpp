@@ -58,6 +58,7 @@ bool same(const Planner& a, const Planner& b) {
 
 std::vector<double> times(const std::vector<PlanResult>& results) {
   std::vector<double> seconds;
+  seconds.reserve(results.size());
   for (const PlanResult& r : results) seconds.push_back(r.travel_time);
   return seconds;
 }

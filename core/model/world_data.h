@@ -22,8 +22,9 @@ namespace internal {
 class VertexMap;
 }
 
-/// What a world holds, in arrays by vertex and by region, and what makes it: world_data.cpp builds regions,
-/// world_covered.cpp finds the vertices inside others, changed_world.cpp makes one world of another.
+/// What a world holds, in arrays by vertex and by region, and what makes it. world_data.cpp builds regions,
+/// world_covered.cpp finds the vertices inside others, obstacle_change.h and changed_world.cpp make one world of
+/// another.
 struct World::Data {
   template <class Value>
   using HugeVector = internal::HugeVector<Value>;
