@@ -130,7 +130,9 @@ TEST(VertexMap, KnowsUpToWhereTwoAreAligned) {
     EXPECT_EQ(to_later.aligned_with(to_a), aligned);
     EXPECT_EQ(to_a.aligned_with(to_a), kNone);
     const auto both = static_cast<VertexId>(std::min(a.vertices().size(), later.vertices().size()));
-    const auto are_there = [&](VertexId v) { return to_a.before(v) != kNone && to_later.before(v) != kNone; };
+    const auto are_there = [&one = to_a, &other = to_later](VertexId v) {
+      return one.before(v) != kNone && other.before(v) != kNone;
+    };
     for (VertexId v = 0; v < std::min(aligned, both); ++v) {
       if (!are_there(v)) continue;
       ASSERT_EQ(to_a.before(v), to_later.before(v));
