@@ -33,6 +33,7 @@ Driven drive(LivePlanner& planner, std::uint64_t seed) {
   const std::vector<PlanRequest> requests =
       random_queries(world(), make_reference_queries(world()), vehicle(), {.count = 4, .seed = 3});
   std::vector<Pose> goals;
+  goals.reserve(requests.size());
   for (const PlanRequest& request : requests) goals.push_back(request.goal);
   const Trajectory first = Planner(world(), vehicle()).plan(requests.front()).trajectory();
   LiveDrive live(planner, first, goals, {.rate = 5.0, .within = std::numeric_limits<double>::infinity(), .seed = seed});
