@@ -143,6 +143,9 @@ class PlanRun {
   // Runs a search, and counts what it did.
   template <class Find>
   FoundPath search(const Find& find);
+  // Grows trees in both gears, and remembers the path that they have found.
+  template <class Grow>
+  void grow_in_both_gears(const Grow& grow);
   void keep_forwards(On on, FoundPath&& found, double trials);
   // Notes a path as the first one, unless one is noted.
   void note_first(const Path& path, double time);

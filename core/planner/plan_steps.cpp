@@ -381,10 +381,15 @@ void PlanRun::take(const JoinBetweenGears& step, double) {
   search([&] { return reversing.join_between(are_few ? *step.few : step.attachments); });
 }
 
-void PlanRun::take(const GrowGearTrees& step, double) {
+template <class Grow>
+void PlanRun::grow_in_both_gears(const Grow& grow) {
   const std::size_t before = reversing_search().found();
-  search([&] { return reversing_search().grow_gear_trees(step.poses); });
+  search(grow);
   if (reversing_->found() > before) grown_ = reversing_->found();
+}
+
+void PlanRun::take(const GrowGearTrees& step, double) {
+  grow_in_both_gears([&] { return reversing_search().grow_gear_trees(step.poses); });
   only_narrow_gears_ = false;
 }
 
@@ -423,9 +428,7 @@ void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
       is_refused = !free;
       return free;
     };
-    const std::size_t before = reversing_search().found();
-    search([&] { return reversing_search().grow_slim_gear_trees(*slim, step.poses, most, widened); });
-    if (reversing_->found() > before) grown_ = reversing_->found();
+    grow_in_both_gears([&] { return reversing_search().grow_slim_gear_trees(*slim, step.poses, most, widened); });
     if (!is_refused) return;
   }
 }
