@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -96,6 +98,8 @@ class FreeSpaceTriangulation {
     return edge_is_covered_[static_cast<std::size_t>(&edge - map_.edges.data())] != 0;
   }
 
+  /// Whether a region is valid: see PlanarMap. O(log invalid ones).
+  [[nodiscard]] bool is_valid(ObstacleId region) const { return !std::ranges::binary_search(map_.invalid, region); }
   /// Whether all regions are valid. Then the triangles and their boundary decide every line of sight.
   [[nodiscard]] bool is_valid() const { return map_.invalid.empty(); }
   [[nodiscard]] std::size_t invalid_count() const { return map_.invalid.size(); }

@@ -33,22 +33,28 @@ void visit_boundary(const FreeSpaceTriangulation& triangulation, std::uint32_t p
   }
 }
 
+/// The boundary edge that goes straight on where another one ends; null if there is none.
+template <Sense kSense>
+[[nodiscard]] const PlanarMap::Edge* straight_on(const FreeSpaceTriangulation& triangulation,
+                                                 const PlanarMap::Edge& edge) {
+  const auto at = [&](std::uint32_t point) -> const Vec2& { return triangulation.points()[point]; };
+  const std::uint32_t end = end_of<kSense>(edge);
+  const PlanarMap::Edge* straight = nullptr;
+  visit_boundary<kSense>(triangulation, end, [&](const PlanarMap::Edge& next) {
+    if (orientation(at(begin_of<kSense>(edge)), at(end), at(end_of<kSense>(next))) == 0) straight = &next;
+  });
+  return straight;
+}
+
 /// Follows a straight boundary from an edge on, to the first point with a node.
 /// @param may_follow  (edge) -> whether the boundary counts there.
 /// @return the edge that leads to that point; null if the boundary turns, ends or does not count before it.
 template <Sense kSense, class MayFollow>
 [[nodiscard]] const PlanarMap::Edge* edge_to_node(const FreeSpaceTriangulation& triangulation,
                                                   const PlanarMap::Edge& first, const MayFollow& may_follow) {
-  const auto at = [&](std::uint32_t point) -> const Vec2& { return triangulation.points()[point]; };
-  const PlanarMap::Edge* edge = &first;
-  while (edge && may_follow(*edge)) {
-    const std::uint32_t end = end_of<kSense>(*edge);
-    if (triangulation.first_node_at(end) != kNone) return edge;
-    edge = nullptr;
-    visit_boundary<kSense>(triangulation, end, [&](const PlanarMap::Edge& next) {
-      if (orientation(at(begin_of<kSense>(first)), at(end), at(end_of<kSense>(next))) == 0) edge = &next;
-    });
-  }
+  for (const PlanarMap::Edge* edge = &first; edge && may_follow(*edge);
+       edge = straight_on<kSense>(triangulation, *edge))
+    if (triangulation.first_node_at(end_of<kSense>(*edge)) != kNone) return edge;
   return nullptr;
 }
 

@@ -1,14 +1,15 @@
 #include "accel/expansion/tangent_neighbors.h"
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "accel/expansion/change_visibility.h"
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/free_space_triangulation.h"
 #include "accel/expansion/tangent_cone_expansion.h"
+#include "accel/expansion/triangle_blocks.h"
 #include "accel/expansion/worthwhile_fans.h"
 
 namespace arcway::internal {
@@ -21,13 +22,18 @@ struct TangentNeighbors::Data {
     for (std::uint32_t n = 0; n < triangulation.nodes().size(); ++n) node_of[triangulation.nodes()[n].vertex] = n;
     through_contacts = both_ways(edges_through_contacts(world, triangulation));
   }
+  [[nodiscard]] const TriangleBlocks& known_blocks() const {
+    std::call_once(made_blocks, [this] { blocks.emplace(triangulation); });
+    return *blocks;
+  }
+
   World world;
   FreeSpaceTriangulation triangulation;
   LongFans fans;
   std::vector<std::uint32_t> node_of;  // by vertex
   EdgeList through_contacts;
   mutable std::once_flag made_blocks;
-  mutable std::optional<TriangleBlocks> blocks;  // made when viewers are first asked for
+  mutable std::optional<TriangleBlocks> blocks;  // made when first asked for
 };
 
 TangentNeighbors::TangentNeighbors(const World& world, const Executor& executor)
@@ -45,15 +51,14 @@ std::vector<VertexId> TangentNeighbors::of(VertexId vertex) const {
   return row;
 }
 
-std::optional<std::vector<VertexId>> TangentNeighbors::viewers_of(std::span<const Box> places) const {
-  std::call_once(data_->made_blocks, [this] { data_->blocks.emplace(data_->triangulation); });
-  for (const Box& place : places)
-    if (!data_->blocks->hull_contains(place)) return std::nullopt;
-  ChangeVisibility visibility(data_->triangulation, &*data_->blocks);
-  visibility.mark_viewers(places);
-  std::vector<VertexId> viewers;
-  for (const std::uint32_t n : visibility.viewers()) viewers.push_back(data_->triangulation.nodes()[n].vertex);
-  return viewers;
+OpenedTriangulation TangentNeighbors::opened() const {
+  return OpenedTriangulation(data_->triangulation, &data_->known_blocks());
 }
+
+bool TangentNeighbors::cover(std::span<const Box> places) const {
+  return std::ranges::all_of(places, [&](const Box& place) { return data_->known_blocks().hull_contains(place); });
+}
+
+std::uint32_t TangentNeighbors::node_of(VertexId vertex) const { return data_->node_of[vertex]; }
 
 }  // namespace arcway::internal

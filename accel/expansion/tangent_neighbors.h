@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "accel/expansion/opened_triangulation.h"
 #include "arcway/executor.h"
 #include "arcway/world.h"
 
@@ -30,9 +30,12 @@ class TangentNeighbors {
   /// @throws std::out_of_range if the world has no such vertex.
   [[nodiscard]] std::vector<VertexId> of(VertexId vertex) const;
 
-  /// All convex vertices with a line of sight to one of the places, and some others; in no useful order. See
-  /// ChangeVisibility. Nothing if a place reaches beyond the convex hull of the vertices, where there are no triangles.
-  [[nodiscard]] std::optional<std::vector<VertexId>> viewers_of(std::span<const Box> places) const;
+  /// The triangles, none of whose obstacles is opened yet. They must not outlive this.
+  [[nodiscard]] OpenedTriangulation opened() const;
+  /// Whether triangles and obstacles cover all places: the frame around all vertices does.
+  [[nodiscard]] bool cover(std::span<const Box> places) const;
+  /// The node at a vertex; kNone if it is no graph vertex. Precondition: the world has the vertex.
+  [[nodiscard]] std::uint32_t node_of(VertexId vertex) const;
 
  private:
   struct Data;

@@ -9,6 +9,7 @@
 #include "accel/expansion/contact_edges.h"
 #include "accel/expansion/edge_list.h"
 #include "accel/expansion/free_space_triangulation.h"
+#include "accel/expansion/opened_triangulation.h"
 #include "accel/expansion/tangent_cone_expansion.h"
 #include "core/geometry/near_boxes.h"
 #include "core/model/vertex_map.h"
@@ -40,9 +41,10 @@ std::vector<std::uint8_t> find_stale(const VisibilityGraph& graph, const World& 
     }
   }
   if (!change.removed_boxes.empty()) {
-    ChangeVisibility viewers(triangulation);
+    const OpenedTriangulation triangles(triangulation);
+    ChangeVisibility viewers(triangles);
     viewers.mark_viewers(change.removed_boxes);
-    for (const std::uint32_t n : viewers.viewers()) stale[triangulation.nodes()[n].vertex] = 1;
+    for (const std::uint32_t n : viewers.viewers().all()) stale[triangulation.nodes()[n].vertex] = 1;
   }
   return stale;
 }

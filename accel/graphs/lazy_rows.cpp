@@ -23,9 +23,7 @@ std::vector<VisibilityRows::Pair> LazyRows::pairs_within(double length,
 
 std::optional<VisibilityRows::Changed> LazyRows::changed(const World& after, const WorldChange& change,
                                                          std::shared_ptr<const VisibilityQuery> visibility) const {
-  const VertexMap map(change);
-  std::optional<Changed> rows = change_rows(shared_from_this(), after, map, std::move(visibility));
-  return rows ? rows : rows_made_anew(world_, after, map);
+  return change_rows(shared_from_this(), after, change, std::move(visibility));
 }
 
 std::shared_ptr<const VisibilityRows> make_lazy_rows(const World& world, const Executor& executor) {

@@ -71,24 +71,32 @@ Box frame_of(const Box& box) {
   return frame;
 }
 
-void make_points(const World& world, PlanarMap& map) {
-  const BigVector<Keyed> sorted = sorted_vertices(world);
-  const Box frame = frame_of(world.box());
-  map.points.reserve(sorted.size() + 4);
+// Adds points that ascend between the corners of a frame. @param add_points  () adds them to the map's.
+template <class AddPoints>
+void add_in_frame(const Box& box, PlanarMap& map, const AddPoints& add_points) {
+  const Box frame = frame_of(box);
   map.points.push_back(frame.min);
   map.points.emplace_back(frame.min.x(), frame.max.y());
-  map.point_of.resize(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i + kItemsAhead < sorted.size()) {
-      will_need(&world.vertices()[sorted[i + kItemsAhead].vertex]);
-      will_need(&map.point_of[sorted[i + kItemsAhead].vertex]);
-    }
-    const Vec2& p = world.vertex(sorted[i].vertex);
-    if (i == 0 || p != map.points.back()) map.points.push_back(p);
-    map.point_of[sorted[i].vertex] = static_cast<std::uint32_t>(map.points.size() - 1);
-  }
+  add_points();
   map.points.emplace_back(frame.max.x(), frame.min.y());
   map.points.push_back(frame.max);
+}
+
+void make_points(const World& world, PlanarMap& map) {
+  const BigVector<Keyed> sorted = sorted_vertices(world);
+  map.points.reserve(sorted.size() + 4);
+  map.point_of.resize(sorted.size());
+  add_in_frame(world.box(), map, [&] {
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      if (i + kItemsAhead < sorted.size()) {
+        will_need(&world.vertices()[sorted[i + kItemsAhead].vertex]);
+        will_need(&map.point_of[sorted[i + kItemsAhead].vertex]);
+      }
+      const Vec2& p = world.vertex(sorted[i].vertex);
+      if (i == 0 || p != map.points.back()) map.points.push_back(p);
+      map.point_of[sorted[i].vertex] = static_cast<std::uint32_t>(map.points.size() - 1);
+    }
+  });
 }
 
 Edge edge_between(std::uint32_t from, std::uint32_t to, std::int32_t count) {
@@ -345,6 +353,21 @@ PlanarMap make_cut_map(const World& world) {
       pieces.size(), [&](std::size_t i) { return pieces[i]; }, map);
   const auto bounds = static_cast<ObstacleId>(world.obstacle_count());
   map.outside_is_solid = world.has_bounds() && !std::binary_search(map.invalid.begin(), map.invalid.end(), bounds);
+  return map;
+}
+
+PlanarMap make_map_inside(std::span<const Vec2> points,
+                          std::span<const std::pair<std::uint32_t, std::uint32_t>> edges) {
+  PlanarMap map;
+  Box box;
+  for (const Vec2& p : points) box.extend(p);
+  add_in_frame(box, map, [&] { map.points.insert(map.points.end(), points.begin(), points.end()); });
+  constexpr std::uint32_t kFirst = 2;        // behind two corners of the frame
+  const auto edge_at = [&](std::size_t i) {  // what is solid lies on the other side
+    return edge_between(kFirst + edges[i].second, kFirst + edges[i].first, 1);
+  };
+  index_edges(edges.size(), edge_at, map);
+  map.outside_is_solid = true;
   return map;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "accel/base/big_vector.h"
@@ -40,5 +42,11 @@ bool make_uncut_map(const World& world, PlanarMap& map);
 /// Makes a map whose invariants hold for any world, by cutting and dropping pieces. O(n log n + pairs of edges that
 /// meet).
 PlanarMap make_cut_map(const World& world);
+
+/// Makes a map whose free space is what closed rings enclose. Everything beyond them is solid.
+/// @param points  at least three, distinct, ascending by (x, y): all ends of the edges.
+/// @param edges  from one point to another, by their places in `points`, with the free space on their left. They meet
+///   in common ends only.
+PlanarMap make_map_inside(std::span<const Vec2> points, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges);
 
 }  // namespace arcway::internal

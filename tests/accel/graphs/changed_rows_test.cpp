@@ -13,6 +13,7 @@
 #include "arcway/datasets/map_file.h"
 #include "arcway/query_set.h"
 #include "arcway/world_change.h"
+#include "core/model/vertex_map.h"
 #include "tests/support/nasty_worlds.h"
 
 namespace arcway::internal {
@@ -34,6 +35,10 @@ void expect_right(const VisibilityRows& before, const VisibilityRows::Changed& c
   const auto wanted = [](VertexId u, VertexId v) { return (u + v) % 3 != 0; };
   EXPECT_EQ(changed.rows->pairs_within(2.5, wanted, SerialExecutor()),
             anew->pairs_within(2.5, wanted, SerialExecutor()));
+}
+
+bool are_new(const VisibilityRows::Changed& changed) {
+  return dynamic_cast<const LazyRows*>(changed.rows.get()) != nullptr;
 }
 
 TEST(ChangedRows, AreThoseOfTheWorldAfterEachChange) {
@@ -102,6 +107,23 @@ TEST(ChangedRows, MayDifferWhereWhatCoveredAVertexGoesAgain) {
   expect_right(*covered->rows, *again, after, back);
 }
 
+// An obstacle that came within another one is seen once that one has gone.
+TEST(ChangedRows, ShowWhatCameBeforeWhatHidItWent) {
+  const World world({{test::square(0, 0, 6), {}}, {test::square(9, 0, 2), {}}, {test::square(-9, 0, 2), {}}});
+  const World hiding = world.changed({}, {{test::square(2, 2, 1), {}}});
+  const std::vector<ObstacleId> removed{0};
+  const World after = hiding.changed(removed, {});
+  const WorldChange there(world, hiding, {}), gone(hiding, after, removed);
+  const auto rows = make_lazy_rows(world);
+  const auto hidden = rows->changed(hiding, there, make_reference_queries(hiding).visibility);
+  ASSERT_TRUE(hidden.has_value());
+  expect_right(*rows, *hidden, hiding, there);
+  const auto shown = hidden->rows->changed(after, gone, make_reference_queries(after).visibility);
+  ASSERT_TRUE(shown.has_value());
+  EXPECT_FALSE(are_new(*shown));
+  expect_right(*hidden->rows, *shown, after, gone);
+}
+
 TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
   World world = catalog_world("clutter/convex/n200/m8/f30/s3");
   Polygon moving = to_map_file(world).obstacles[100];
@@ -121,10 +143,6 @@ TEST(ChangedRows, FewMayDifferWhereAnObstacleMovesForEver) {
   for (const VertexId v : world.convex_vertices()) ASSERT_TRUE(std::ranges::equal(rows->of(v), anew->of(v))) << v;
 }
 
-bool are_new(const VisibilityRows::Changed& changed) {
-  return dynamic_cast<const LazyRows*>(changed.rows.get()) != nullptr;
-}
-
 TEST(ChangedRows, AreMadeAnewWhereTheTriangulationEnds) {
   const World world({{test::square(0, 0, 4), {}}, {test::square(9, 0, 2), {}}});
   const World after = world.changed({}, {{test::square(1e6, 0, 1), {}}});
@@ -134,6 +152,59 @@ TEST(ChangedRows, AreMadeAnewWhereTheTriangulationEnds) {
   ASSERT_TRUE(changed.has_value());
   EXPECT_TRUE(are_new(*changed));
   expect_right(*rows, *changed, after, change);
+}
+
+// Obstacles that move a little, again and again, in worlds where they touch, nest and overlap.
+TEST(ChangedRows, FollowObstaclesThatMoveAmongOthers) {
+  std::size_t changes = 0, made_anew = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomInputs random(seed);
+    World world = test::nasty_world(seed + 700, 20);
+    std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
+    for (int step = 0; step < 8 && world.obstacle_count() > 0; ++step) {
+      const std::vector<ObstacleId> removed{
+          static_cast<ObstacleId>(random.integer(0, static_cast<std::int64_t>(world.obstacle_count()) - 1))};
+      Polygon moved = world.polygon_of(removed[0]);
+      const Vec2 by = (step % 2 == 0 ? 1.0 : 0.37) * random.grid_point(-1, 1);
+      for (Vec2& p : moved.outer) p += by;
+      for (Ring& hole : moved.holes)
+        for (Vec2& p : hole) p += by;
+      const World after = world.changed(removed, {moved});
+      const WorldChange change(world, after, removed);
+      const auto changed = rows->changed(after, change, make_reference_queries(after).visibility);
+      if (!changed) break;
+      ++changes;
+      made_anew += are_new(*changed) ? 1 : 0;
+      expect_right(*rows, *changed, after, change);
+      if (HasFatalFailure()) return;
+      rows = changed->rows;
+      world = after;
+    }
+  }
+  EXPECT_GT(changes, 300u);
+  EXPECT_LT(made_anew, changes / 5);
+}
+
+TEST(ChangedRows, AreNotMadeAnewWhileFewHaveMoved) {
+  World world = catalog_world("clutter/convex/n1000/m10/f30/s1");
+  std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
+  for (ObstacleId o = 0; o < 120; ++o) {
+    const std::vector<ObstacleId> removed{o};
+    Polygon moved = world.polygon_of(o);
+    for (Vec2& p : moved.outer) p += Vec2(0.05, 0.0);
+    const World after = world.changed(removed, {moved});
+    const auto changed =
+        rows->changed(after, WorldChange(world, after, removed), make_reference_queries(after).visibility);
+    ASSERT_TRUE(changed.has_value());
+    ASSERT_FALSE(are_new(*changed)) << o;
+    EXPECT_LT(changed->may_differ.size(), world.convex_vertices().size() / 3);
+    rows = changed->rows;
+    world = after;
+  }
+  const auto anew = make_lazy_rows(world);
+  for (VertexId v = 0; v < world.vertices().size(); v += 7)
+    ASSERT_TRUE(std::ranges::equal(rows->of(v), anew->of(v))) << v;
 }
 
 TEST(ChangedRows, AreMadeAnewOnceMuchHasChanged) {
