@@ -123,6 +123,7 @@ class ForwardFlood {
     if (core_.width() <= 0.0 || core_.length() <= 0.0 || step_ > kMostTurn * radius_ ||
         step_ > kLongestStep * furthest_ * edge_)
       return End::kOpen;
+    if (clock.is_over()) return End::kGivenUp;
     turned_steps_ = turned_steps();  // their number is bounded by what was just asked
     SeenBoxes seen(furthest_, headings_, memory);
     std::vector<PoseBox> open;
@@ -141,6 +142,7 @@ class ForwardFlood {
       }
       const Vec2 position = position_of(box);
       if (is_far(box) || (position - to_).norm() < near) return has_collided ? End::kOpen : End::kOpenAtOnce;
+      if (clock.is_over()) return End::kGivenUp;  // moves take much longer than boxes that are not free
       reach_ = std::max(reach_, (position - from_.position()).norm() + near);
       for (const Move& move : moves_from(box.heading)) {
         const std::int32_t x = box.x + move.x, y = box.y + move.y, first = box.heading + move.first_turn;

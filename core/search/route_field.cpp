@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "arcway/angle.h"
 #include "core/gaps/vehicle_gaps.h"
@@ -57,13 +56,6 @@ class NearestFirst {
   std::vector<std::vector<Waiting>> buckets_;
   std::size_t now_ = 0, size_ = 0;
 };
-
-double longest_of(std::span<const float> lengths) {
-  float longest = 0.0F;
-  for (const float length : lengths)
-    if (length < kNever) longest = std::max(longest, length);
-  return longest;
-}
 
 }  // namespace
 
@@ -216,16 +208,17 @@ RouteField::Motion RouteField::motion(int heading, int turn, double radius) {
 }
 
 void RouteField::heed_turns(double radius, const StopClock& clock) {
+  if (clock.is_over()) return;
   std::array<std::array<Motion, 3>, kHeadings> motions;
   for (int heading = 0; heading < kHeadings; ++heading)
     for (const int turn : {-1, 0, 1})
       motions[static_cast<std::size_t>(heading)][static_cast<std::size_t>(turn + 1)] =
           motion(heading, turn, kTighter * radius / size_);
   lengths_.assign(cells_.size() * kHeadings, kNever);
-  float longest = kDiagonal;
+  float longest_motion = kDiagonal, longest = 0.0F;
   for (const auto& of_heading : motions)
-    for (const Motion& m : of_heading) longest = std::max(longest, m.length);
-  NearestFirst open(longest);
+    for (const Motion& m : of_heading) longest_motion = std::max(longest_motion, m.length);
+  NearestFirst open(longest_motion);
   const auto reach = [&](std::int64_t x, std::int64_t y, int heading, float length) {
     const auto state = static_cast<std::uint32_t>((y * width_ + x) * kHeadings + heading);
     if (length >= lengths_[state]) return;
@@ -241,6 +234,7 @@ void RouteField::heed_turns(double radius, const StopClock& clock) {
     if (i % kAsked == 0 && clock.is_over()) break;
     const Waiting here = open.pop();
     if (here.length > lengths_[here.cell]) continue;
+    longest = std::max(longest, here.length);
     const int heading = static_cast<int>(here.cell % kHeadings);
     const std::int64_t cell = here.cell / kHeadings;
     for (const int turn : {-1, 0, 1}) {  // of the motion that leads here
@@ -257,7 +251,7 @@ void RouteField::heed_turns(double radius, const StopClock& clock) {
       if (free) reach(x, y, before, here.length + m.length);
     }
   }
-  longest_with_turns_ = longest_of(lengths_) * size_;
+  longest_with_turns_ = longest * size_;
 }
 
 double RouteField::operator()(const Pose& from) const {

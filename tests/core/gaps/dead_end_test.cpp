@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "arcway/angle.h"
 #include "arcway/datasets/clutter.h"
@@ -13,6 +16,7 @@
 #include "datasets/io/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/counting_sweep.h"
+#include "tests/support/stopping_queries.h"
 
 namespace arcway::internal {
 namespace {
@@ -61,6 +65,25 @@ TEST(DeadEnd, SmallerBoxesProveMore) {
   const PlanResult plan = Planner(world, vehicle).plan({.start = {0, 0, 0}, .goal = kFarGoal});
   EXPECT_EQ(plan.certainty, Certainty::kProved) << plan.reason;
   EXPECT_EQ(plan.statistics.tree_poses, 0u);
+}
+
+// The clock is asked before each expansion of a free box. The wall has so many edges that each box is a question.
+TEST(DeadEnd, IsLookedForUntilTheClockIsOver) {
+  const Vehicle vehicle;
+  std::vector<Polygon> wall;
+  for (int i = 0; i < 200; ++i) wall.push_back(box(2.0, 0.1 * i - 10.0, 2.05, 0.1 * i - 9.95));
+  const World world(wall);
+  const Outlines outlines(world);
+  for (const std::size_t question : {10u, 100u, 300u}) {
+    test::StoppingQueries stopping(world);
+    const StopClock clock(std::numeric_limits<double>::infinity(), stopping.stop_at(question));
+    const auto sweep = stopping.queries().sweep;
+    EXPECT_FALSE(find_dead_end({0, 0, 0}, kFarGoal,
+                               {vehicle.footprint(), vehicle.min_turning_radius(), *sweep, outlines},
+                               {.halvings = 2, .max_checks = 100'000}, clock));
+    EXPECT_GE(stopping.asked(), question);
+    EXPECT_LT(stopping.asked_after_stop(), 10u);
+  }
 }
 
 // A step of the proof would leave all that is near: no proof, at once.

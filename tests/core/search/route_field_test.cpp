@@ -42,6 +42,13 @@ TEST(RouteField, HeedsTurns) {
   EXPECT_GT(field({0.0, 0.0, kPi}), 21.5);
 }
 
+TEST(RouteField, HeedsNoTurnsOnceTheClockIsOver) {
+  RouteField field = field_behind_a_wall(1.0);
+  const double before = field({0.0, 0.0, kPi});
+  field.heed_turns(1.3, StopClock(0.0));
+  EXPECT_EQ(field({0.0, 0.0, kPi}), before);
+}
+
 TEST(RouteField, EndsAtThePlace) { EXPECT_NEAR(field_behind_a_wall(1.0)({20.0, 0.0, 0.0}), 0.0, 0.5); }
 
 }  // namespace
