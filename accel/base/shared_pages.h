@@ -96,7 +96,7 @@ class SharedTable {
   [[nodiscard]] std::span<const Item> of(std::uint32_t key) const {
     const Page* const page = pages_.find(key / kInPage);
     if (!page) return {};
-    return std::ranges::equal_range(*page, key, {}, &Item::key);
+    return {std::ranges::lower_bound(*page, key, {}, &Item::key), std::ranges::upper_bound(*page, key, {}, &Item::key)};
   }
   void add(std::uint32_t key, std::uint32_t number) {
     Page& page = pages_.own(key / kInPage);

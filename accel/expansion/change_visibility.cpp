@@ -22,10 +22,10 @@ void ChangeVisibility::mark_viewers(std::span<const Box> places) {
   for (const Box& place : places) sources.emplace_back(place);
   const BoxTree tree(places);
   const auto meets_any = [&](const Box& box) { return !tree.visit_overlaps(box, [](std::uint32_t) { return false; }); };
-  opened_.visit_near(places, [&](std::uint32_t first, const Corners& corners) {
+  opened_.visit_near(places, [&](std::uint32_t first) {
     if (gives_up_) return;
-    tree.visit_overlaps(opened_.box_of(corners), [&](std::uint32_t i) {
-      if (opened_.may_meet(corners, places[i])) expand_out_of(first, corners, sources[i]);
+    tree.visit_overlaps(opened_.box_of(first), [&](std::uint32_t i) {
+      if (opened_.may_meet(first, places[i])) expand_out_of(first, sources[i]);
       return !gives_up_;
     });
   });
@@ -43,7 +43,8 @@ std::vector<std::uint32_t> ChangeVisibility::occupants() const {
 }
 
 // Expands from a place out of a triangle that meets it.
-void ChangeVisibility::expand_out_of(std::uint32_t first, const Corners& corners, const Source& source) {
+void ChangeVisibility::expand_out_of(std::uint32_t first, const Source& source) {
+  const OpenedTriangulation::Corners corners = opened_.corners_of(first);
   for (const std::uint32_t corner : corners) mark(triangulation_.first_node_at(corner));
   if (occupants_) see(occupants_->in_triangle(first));
   for (std::uint32_t j = 0; j < 3; ++j)
@@ -124,10 +125,10 @@ void ChangeVisibility::see(std::span<const SharedTable::Item> occupants) {
 }
 
 bool ChangeVisibility::may_enter(const Source& source, std::uint32_t half_edge) const {
-  const Corners corners = opened_.corners_of(half_edge - half_edge % 3);
-  if (opened_.may_meet(corners, source.place)) return false;
-  const Vec2& left = triangulation_.points()[corners[half_edge % 3]];
-  const Vec2& right = triangulation_.points()[corners[(half_edge % 3 + 1) % 3]];
+  const std::uint32_t first = half_edge - half_edge % 3;
+  if (opened_.may_meet(first, source.place)) return false;
+  const std::array<Vec2, 3> corners = opened_.positions_of(first);
+  const Vec2 &left = corners[half_edge % 3], &right = corners[(half_edge % 3 + 1) % 3];
   return std::any_of(source.corners.begin(), source.corners.begin() + source.corner_count,
                      [&](const Vec2& corner) { return orientation(left, right, corner) <= 0; });
 }

@@ -52,7 +52,6 @@ class ChangeVisibility {
       return hash_of(std::array<std::uint64_t, 3>{range.half_edge, range.low, range.high});
     }
   };
-  using Corners = OpenedTriangulation::Corners;
   // Where rays begin.
   struct Source {
     explicit Source(const Box& the_place);
@@ -61,7 +60,7 @@ class ChangeVisibility {
     std::array<Vec2, 4> corners;  // of the place
     std::size_t corner_count;     // one of a point
   };
-  void expand_out_of(std::uint32_t first, const Corners& corners, const Source& source);
+  void expand_out_of(std::uint32_t first, const Source& source);
   void expand(const Source& source, const Range& range);
   void push_once(const Range& range);
   void give_up();

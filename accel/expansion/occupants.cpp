@@ -10,8 +10,8 @@ namespace arcway::internal {
 Occupants::Places Occupants::places_of(const OpenedTriangulation& triangulation, const Box& box) {
   Places places;
   const std::array boxes{box};
-  triangulation.visit_near(boxes, [&](std::uint32_t first, const OpenedTriangulation::Corners& corners) {
-    if (triangulation.may_meet(corners, box)) places.triangles.push_back(first / 3);
+  triangulation.visit_near(boxes, [&](std::uint32_t first) {
+    if (triangulation.may_meet(first, box)) places.triangles.push_back(first / 3);
   });
   triangulation.visit_boundary_near(boxes, [&](const PlanarMap::Edge& edge, const Box& box_of_edge) {
     if (box_of_edge.overlaps(box)) places.points.push_back(edge.low);

@@ -23,17 +23,17 @@ OpenedTriangulation::OpenedTriangulation(const FreeSpaceTriangulation& triangula
       own_count_(triangulation.half_edges().size()),
       next_half_edge_(static_cast<std::uint32_t>(own_count_)) {}
 
-Box OpenedTriangulation::box_of(const Corners& corners) const {
+Box OpenedTriangulation::box_of(std::uint32_t first) const {
   Box box;
-  for (const std::uint32_t corner : corners) box.extend(triangulation_.points()[corner]);
+  for (const Vec2& corner : positions_of(first)) box.extend(corner);
   return box;
 }
 
-bool OpenedTriangulation::may_meet(const Corners& corners, const Box& box) const {
-  if (!box_of(corners).overlaps(box)) return false;
-  for (std::uint32_t j = 0; j < 3; ++j)
-    if (lies_right_of(triangulation_.points()[corners[j]], triangulation_.points()[corners[(j + 1) % 3]], box))
-      return false;
+bool OpenedTriangulation::may_meet(std::uint32_t first, const Box& box) const {
+  if (!box_of(first).overlaps(box)) return false;
+  const std::array<Vec2, 3> corners = positions_of(first);
+  for (std::size_t j = 0; j < 3; ++j)
+    if (lies_right_of(corners[j], corners[(j + 1) % 3], box)) return false;
   return true;
 }
 
@@ -86,8 +86,9 @@ std::vector<OpenedTriangulation::Side> OpenedTriangulation::sides_around(const P
   std::ranges::sort(points);
   const auto is_of_these = [&](std::uint32_t point) { return std::ranges::binary_search(points, point); };
   std::vector<Side> sides;
-  visit_near({&box, 1}, [&](std::uint32_t first, const Corners& corners) {
-    if (first >= own_count_) return;
+  visit_near({&box, 1}, [&](std::uint32_t first) {
+    if (first >= own_count_ || !box_of(first).overlaps(box)) return;
+    const Corners corners = corners_of(first);
     for (std::uint32_t j = 0; j < 3; ++j) {
       const std::uint32_t from = corners[j], to = corners[(j + 1) % 3];
       if (half_edge(Triangulation::next(first + j)).left == kNone && is_of_these(from) && is_of_these(to))

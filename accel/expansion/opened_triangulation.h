@@ -68,23 +68,25 @@ class OpenedTriangulation {
     const HalfEdge* const half_edges = &half_edge(first);
     return {half_edges[1].point, half_edges[2].point, half_edges[0].point};
   }
-  [[nodiscard]] Box box_of(const Corners& corners) const;
+  /// Where these corners are.
+  [[nodiscard]] std::array<Vec2, 3> positions_of(std::uint32_t first) const {
+    const HalfEdge* const half_edges = &half_edge(first);
+    return {half_edges[1].apex, half_edges[2].apex, half_edges[0].apex};
+  }
+  [[nodiscard]] Box box_of(std::uint32_t first) const;
   /// Whether a box and a triangle may have a point in common. False only if they have none.
-  [[nodiscard]] bool may_meet(const Corners& corners, const Box& box) const;
+  [[nodiscard]] bool may_meet(std::uint32_t first, const Box& box) const;
 
-  /// Calls visit(first half-edge, corners) for all triangles that may meet one of some boxes, and others near by.
+  /// Calls visit(first half-edge) for all triangles that may meet one of some boxes, and others near by.
   template <class Visit>
   void visit_near(std::span<const Box> boxes, const Visit& visit) const {
     const auto own_triangles = static_cast<std::uint32_t>(own_count_ / 3);
     for (const auto& [first, last] :
          blocks_ ? blocks_->triangles_near(boxes) : TriangleBlocks::Ranges{{0, own_triangles}})
-      for (std::uint32_t triangle = first; triangle < last; ++triangle) visit(3 * triangle, corners_of(3 * triangle));
+      for (std::uint32_t triangle = first; triangle < last; ++triangle) visit(3 * triangle);
     for (const Opened& opened : opened_) {
       if (!overlaps_any(opened.box, boxes)) continue;
-      for (std::uint32_t i = 0; i < opened.inside->half_edges.size(); i += 3) {
-        const std::uint32_t first = opened.first_half_edge + i;
-        visit(first, corners_of(first));
-      }
+      for (std::uint32_t i = 0; i < opened.inside->half_edges.size(); i += 3) visit(opened.first_half_edge + i);
     }
   }
 

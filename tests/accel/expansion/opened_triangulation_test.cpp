@@ -15,17 +15,19 @@ namespace {
 // Twice the area of all triangles that may meet a box.
 double area_near(const OpenedTriangulation& triangles, const Box& box) {
   double area = 0.0;
-  triangles.visit_near({&box, 1}, [&](std::uint32_t, const OpenedTriangulation::Corners& corners) {
-    const auto at = [&](std::size_t i) { return triangles.triangulation().points()[corners[i]]; };
-    EXPECT_GT(orientation(at(0), at(1), at(2)), 0);
-    area += cross(at(1) - at(0), at(2) - at(0));
+  triangles.visit_near({&box, 1}, [&](std::uint32_t first) {
+    const auto [a, b, c] = triangles.positions_of(first);
+    EXPECT_GT(orientation(a, b, c), 0);
+    EXPECT_EQ(a, triangles.triangulation().points()[triangles.corners_of(first)[0]]);
+    area += cross(b - a, c - a);
   });
   return area;
 }
 
 // Whether what lies beyond each side of each triangle has the same ends, and this triangle beyond that side.
 void expect_joined(const OpenedTriangulation& triangles, const Box& box) {
-  triangles.visit_near({&box, 1}, [&](std::uint32_t first, const OpenedTriangulation::Corners& corners) {
+  triangles.visit_near({&box, 1}, [&](std::uint32_t first) {
+    const OpenedTriangulation::Corners corners = triangles.corners_of(first);
     for (std::uint32_t j = 0; j < 3; ++j) {
       const std::uint32_t other = triangles.beyond(first + j);
       if (other == kNone) continue;
@@ -49,7 +51,7 @@ TEST(OpenedTriangulation, CoversAnOpenedObstacleWithTrianglesJoinedToThoseAround
   EXPECT_DOUBLE_EQ(area_near(t.opened, all), before + 2.0 * (16.0 - 4.0));
   expect_joined(t.opened, all);
   std::size_t boundary = 0;
-  t.opened.visit_near({&all, 1}, [&](std::uint32_t first, const OpenedTriangulation::Corners&) {
+  t.opened.visit_near({&all, 1}, [&](std::uint32_t first) {
     for (std::uint32_t j = 0; j < 3; ++j) boundary += t.opened.beyond(first + j) == kNone ? 1 : 0;
   });
   EXPECT_EQ(boundary, 4u + 4u);  // of the other obstacle and the frame
@@ -75,7 +77,7 @@ TEST(OpenedTriangulation, JoinsInsidesOfObstaclesThatTouch) {
   const Box all = t.world.box().grown(100.0);
   expect_joined(t.opened, all);
   std::size_t boundary = 0;
-  t.opened.visit_near({&all, 1}, [&](std::uint32_t first, const OpenedTriangulation::Corners&) {
+  t.opened.visit_near({&all, 1}, [&](std::uint32_t first) {
     for (std::uint32_t j = 0; j < 3; ++j) boundary += t.opened.beyond(first + j) == kNone ? 1 : 0;
   });
   EXPECT_EQ(boundary, 4u + 4u);
