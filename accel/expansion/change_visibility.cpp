@@ -14,14 +14,28 @@ constexpr std::size_t kMostSteps = 4;
 
 }  // namespace
 
-ChangeVisibility::Source::Source(const Box& the_place)
-    : place(the_place), corners(place.corners()), corner_count(place.min == place.max ? 1 : 4) {}
+ChangeVisibility::Source::Source(const Box& the_place, std::uint32_t the_number)
+    : place(the_place), corners(place.corners()), corner_count(place.min == place.max ? 1 : 4), number(the_number) {}
 
 void ChangeVisibility::mark_viewers(std::span<const Box> places) {
   std::vector<Source> sources;
-  for (const Box& place : places) sources.emplace_back(place);
+  for (const Box& place : places) sources.emplace_back(place, static_cast<std::uint32_t>(sources.size()));
+  mark_from(sources);
+}
+
+void ChangeVisibility::mark_neighbors(const World& world, VertexId vertex) {
+  Source source(Box{world.vertex(vertex), world.vertex(vertex)}, 0);
+  source.beside = {world.vertex(world.previous(vertex)), world.vertex(world.next(vertex))};
+  source.is_vertex = true;
+  mark_from({&source, 1});
+}
+
+void ChangeVisibility::mark_from(std::span<const Source> sources) {
+  std::vector<Box> places;
+  for (const Source& source : sources) places.push_back(source.place);
   const BoxTree tree(places);
   const auto meets_any = [&](const Box& box) { return !tree.visit_overlaps(box, [](std::uint32_t) { return false; }); };
+  known_.clear();
   opened_.visit_near(places, [&](std::uint32_t first) {
     if (gives_up_) return;
     tree.visit_overlaps(opened_.box_of(first), [&](std::uint32_t i) {
@@ -52,10 +66,9 @@ void ChangeVisibility::expand_out_of(std::uint32_t first, const Source& source) 
       expand(source, {half_edge, corners[j], corners[(j + 1) % 3]});
 }
 
-// Where an obstacle was removed, cones from a wide place overlap on both sides of each of its vertices. There each is
-// followed once.
+// Cones from a wide place overlap: where vertices that hide nothing split them, and as those out of its sides pass the
+// same gap with the same bounds. There each is followed once.
 void ChangeVisibility::expand(const Source& source, const Range& range) {
-  known_.clear();
   stack_.push_back(range);
   while (!stack_.empty()) {
     auto [half_edge, low, high] = stack_.back();
@@ -77,20 +90,19 @@ void ChangeVisibility::expand(const Source& source, const Range& range) {
       }
       mark(triangle.node);
       const Range right{opened_.right_of(half_edge), low, triangle.point};
-      if (opened_.is_opened(triangle.point)) {
-        push_once(right);
-        push_once({opened_.left_of(half_edge), triangle.point, high});
-        break;
-      }
-      if (right.half_edge != kNone) stack_.push_back(right);
-      half_edge = opened_.left_of(half_edge);
-      low = triangle.point;
+      const Range left{opened_.left_of(half_edge), triangle.point, high};
+      if (is_new(source, right)) stack_.push_back(right);
+      if (!is_new(source, left)) break;
+      half_edge = left.half_edge;
+      low = left.low;
     }
   }
 }
 
-void ChangeVisibility::push_once(const Range& range) {
-  if (range.half_edge != kNone && known_.insert(range).second) stack_.push_back(range);
+// Cones out of a point do not overlap.
+bool ChangeVisibility::is_new(const Source& source, const Range& range) {
+  if (range.half_edge == kNone) return false;
+  return source.corner_count == 1 || known_.insert({source.number, range.half_edge, range.low, range.high}).second;
 }
 
 void ChangeVisibility::give_up() {
@@ -124,11 +136,17 @@ void ChangeVisibility::see(std::span<const SharedTable::Item> occupants) {
   for (const SharedTable::Item& item : occupants) seen_occupants_.push_back(item.number);
 }
 
+bool ChangeVisibility::is_opposite(const Source& source, const Vec2& point) {
+  return orientation(source.beside[0], source.corners[0], point) < 0 &&
+         orientation(source.corners[0], source.beside[1], point) < 0;
+}
+
 bool ChangeVisibility::may_enter(const Source& source, std::uint32_t half_edge) const {
   const std::uint32_t first = half_edge - half_edge % 3;
   if (opened_.may_meet(first, source.place)) return false;
   const std::array<Vec2, 3> corners = opened_.positions_of(first);
   const Vec2 &left = corners[half_edge % 3], &right = corners[(half_edge % 3 + 1) % 3];
+  if (source.is_vertex) return !is_opposite(source, left) || !is_opposite(source, right);
   return std::any_of(source.corners.begin(), source.corners.begin() + source.corner_count,
                      [&](const Vec2& corner) { return orientation(left, right, corner) <= 0; });
 }

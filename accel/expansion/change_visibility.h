@@ -12,6 +12,7 @@
 #include "accel/expansion/opened_triangulation.h"
 #include "accel/expansion/straight_boundary.h"
 #include "arcway/vec2.h"
+#include "arcway/world.h"
 #include "core/base/hash_of.h"
 
 namespace arcway::internal {
@@ -36,6 +37,9 @@ class ChangeVisibility {
   /// O(log triangles) a place in place of the first; marks all nodes once several times as many triangles are seen as
   /// exist.
   void mark_viewers(std::span<const Box> places);
+  /// Marks the nodes that may be joined to a convex vertex by a tangent there, and some others: what lies opposite to
+  /// the inside of its corner is not looked at.
+  void mark_neighbors(const World& world, VertexId vertex);
   /// The nodes that may see one of the places.
   [[nodiscard]] const MarkedNumbers& viewers() const { return seen_; }
   /// Numbers of the occupants that may see one of the places, ascending.
@@ -45,24 +49,31 @@ class ChangeVisibility {
   struct Range {
     std::uint32_t half_edge;
     std::uint32_t low, high;  ///< points that all rays pass on their left and right
-    friend bool operator==(const Range&, const Range&) = default;
   };
-  struct HashOfRange {
-    std::size_t operator()(const Range& range) const {
-      return hash_of(std::array<std::uint64_t, 3>{range.half_edge, range.low, range.high});
+  struct HashOfKnown {
+    std::size_t operator()(const std::array<std::uint32_t, 4>& cone) const {
+      return hash_of(
+          std::array<std::uint64_t, 2>{std::uint64_t{cone[0]} << 32 | cone[1], std::uint64_t{cone[2]} << 32 | cone[3]});
     }
   };
   // Where rays begin.
   struct Source {
-    explicit Source(const Box& the_place);
+    Source(const Box& the_place, std::uint32_t the_number);
 
     Box place;
     std::array<Vec2, 4> corners;  // of the place
     std::size_t corner_count;     // one of a point
+    std::uint32_t number;         // of several
+    std::array<Vec2, 2> beside;   // the vertices beside a convex one at the place
+    bool is_vertex = false;
   };
   void expand_out_of(std::uint32_t first, const Source& source);
   void expand(const Source& source, const Range& range);
-  void push_once(const Range& range);
+  // Whether a range out of a source is there and not known yet.
+  [[nodiscard]] bool is_new(const Source& source, const Range& range);
+  // Whether a point lies strictly opposite to the inside of the corner at a source.
+  [[nodiscard]] static bool is_opposite(const Source& source, const Vec2& point);
+  void mark_from(std::span<const Source> sources);
   void give_up();
   void follow_boundary(const PlanarMap::Edge& boundary);
   template <Sense kSense>
@@ -79,7 +90,7 @@ class ChangeVisibility {
   MarkedNumbers seen_;  // nodes
   std::vector<std::uint32_t> seen_occupants_;
   std::vector<Range> stack_;
-  std::unordered_set<Range, HashOfRange> known_;  // of one expansion, at vertices of opened obstacles
+  std::unordered_set<std::array<std::uint32_t, 4>, HashOfKnown> known_;  // cones: a source's number, and a range
   std::size_t steps_ = 0;
   bool gives_up_ = false;  // all nodes have been marked, and all occupants are seen
 };

@@ -187,8 +187,6 @@ bool OpenedTriangulation::open(const World& world, ObstacleId obstacle) {
   } else if (!join_both_sides(pieces, around)) {
     return false;
   }
-  for (const auto& [from, to] : pieces)
-    if (triangulation_.edges_from(from).size() + triangulation_.edges_to(from).size() == 2) opened_points_.mark(from);
   const auto [first, last] = world.vertices_of(obstacle);
   opened_vertices_ += last - first;
   next_half_edge_ += static_cast<std::uint32_t>(opened.inside->half_edges.size());

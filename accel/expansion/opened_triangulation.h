@@ -40,9 +40,6 @@ class OpenedTriangulation {
   /// Number of vertices of all opened obstacles.
   [[nodiscard]] std::size_t opened_vertices() const { return opened_vertices_; }
 
-  /// Whether only edges of opened obstacles end at a point.
-  [[nodiscard]] bool is_opened(std::uint32_t point) const { return opened_points_.has(point); }
-
   [[nodiscard]] const FreeSpaceTriangulation& triangulation() const { return triangulation_; }
   [[nodiscard]] const TriangleBlocks* blocks() const { return blocks_; }
 
@@ -139,7 +136,6 @@ class OpenedTriangulation {
   std::size_t own_count_;  // half-edges of the triangulation
   std::size_t opened_vertices_ = 0;
   std::uint32_t next_half_edge_;
-  MarkedNumbers opened_points_;
   SharedTable joints_;          // by side: the one beyond it
   std::vector<Opened> opened_;  // ascending by half-edges
 };

@@ -143,9 +143,8 @@ std::vector<VertexId> ChangedRows::find(VertexId vertex) const {
 // @param row  edges that were there before the changes, ascending; then those that are there now.
 void ChangedRows::find_anew(VertexId vertex, std::vector<VertexId>& row) const {
   const Vec2& here = world_.vertex(vertex);
-  const Box place{here, here};
   ChangeVisibility viewers(difference_.triangles, &difference_.occupants);
-  viewers.mark_viewers({&place, 1});
+  viewers.mark_neighbors(world_, vertex);
   std::vector<VertexId> seen;
   std::vector<Box> boxes;
   for (const std::uint32_t n : viewers.viewers().all()) {
