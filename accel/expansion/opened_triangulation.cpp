@@ -107,6 +107,7 @@ std::shared_ptr<const OpenedTriangulation::Inside> OpenedTriangulation::inside_o
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<Vec2> positions;
+  positions.reserve(points.size());
   for (const std::uint32_t point : points) positions.push_back(triangulation_.points()[point]);
   const auto place_of = [&](std::uint32_t point) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -61,14 +62,16 @@ class SeenBoxes {
   // @param furthest  positions are from -furthest to furthest along both axes.
   // @param headings  number of headings: a power of two, at least kBits.
   SeenBoxes(std::int32_t furthest, std::int32_t headings, std::vector<std::uint32_t>& memory)
-      : furthest_(furthest), words_(headings / kBits), seen_(memory) {
-    seen_.assign(static_cast<std::size_t>((2 * furthest + 1) * (2 * furthest + 1) * words_), 0);
+      : furthest_(furthest), across_(2 * furthest + 1), words_(headings / kBits), seen_(memory) {
+    seen_.assign(
+        static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_) * static_cast<std::size_t>(words_), 0);
   }
 
   /// Adds the boxes of `count` headings at a position, from a heading on. Calls visit(heading) for those that are new.
   template <class Visitor>
   void see(std::int32_t x, std::int32_t y, std::int32_t first_heading, std::int32_t count, Visitor&& visit) {
-    std::uint32_t* const place = seen_.data() + ((x + furthest_) * (2 * furthest_ + 1) + y + furthest_) * words_;
+    const std::int32_t position = (x + furthest_) * across_ + y + furthest_;
+    std::uint32_t* const place = seen_.data() + static_cast<std::ptrdiff_t>(position) * words_;
     for (std::int32_t done = 0; done < count; done += kBits) {
       const std::int32_t first = (first_heading + done) & (words_ * kBits - 1);
       const std::int32_t word = first / kBits, begin = word * kBits;
@@ -85,7 +88,7 @@ class SeenBoxes {
  private:
   static constexpr std::int32_t kBits = 32;
 
-  std::int32_t furthest_, words_;
+  std::int32_t furthest_, across_, words_;
   std::vector<std::uint32_t>& seen_;
 };
 
@@ -225,8 +228,8 @@ class ForwardFlood {
       low_x = std::min(low_x, p.first_x), high_x = std::max(high_x, p.last_x);
       low_y = std::min(low_y, p.first_y), high_y = std::max(high_y, p.last_y);
     }
-    const std::int32_t columns = high_x - low_x + 1;
-    turns_.assign(static_cast<std::size_t>(columns * (high_y - low_y + 1)), {1, 0});
+    const std::int32_t columns = high_x - low_x + 1, rows = high_y - low_y + 1;
+    turns_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), {1, 0});
     for (const Places& p : places_)
       for (std::int32_t j = p.first_y; j <= p.last_y; ++j)
         for (std::int32_t i = p.first_x; i <= p.last_x; ++i) {

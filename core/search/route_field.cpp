@@ -19,6 +19,7 @@ constexpr double kPartsOfACell = 4.0;  // samples a cell at which the cells of a
 constexpr double kLeastTurn = 0.05;    // least length of a motion that turns [cells]: no turn is free
 constexpr double kTighter = 0.9;  // radius of turns as a share of the vehicle's, for what rounding to cells takes away
 constexpr std::uint8_t kRight = 1, kUp = 2;
+constexpr std::array<int, 3> kTurns{-1, 0, 1};  // of motions, in headings
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t kAsked = 1024;   // cells between two questions to the clock
 constexpr float kDiagonal = 1.42F;       // length of a diagonal step [cells], rounded up
@@ -209,11 +210,10 @@ RouteField::Motion RouteField::motion(int heading, int turn, double radius) {
 
 void RouteField::heed_turns(double radius, const StopClock& clock) {
   if (clock.is_over()) return;
-  std::array<std::array<Motion, 3>, kHeadings> motions;
+  std::array<std::array<Motion, kTurns.size()>, kHeadings> motions;
   for (int heading = 0; heading < kHeadings; ++heading)
-    for (const int turn : {-1, 0, 1})
-      motions[static_cast<std::size_t>(heading)][static_cast<std::size_t>(turn + 1)] =
-          motion(heading, turn, kTighter * radius / size_);
+    for (std::size_t i = 0; i < kTurns.size(); ++i)
+      motions[static_cast<std::size_t>(heading)][i] = motion(heading, kTurns[i], kTighter * radius / size_);
   lengths_.assign(cells_.size() * kHeadings, kNever);
   float longest_motion = kDiagonal, longest = 0.0F;
   for (const auto& of_heading : motions)
@@ -237,9 +237,9 @@ void RouteField::heed_turns(double radius, const StopClock& clock) {
     longest = std::max(longest, here.length);
     const int heading = static_cast<int>(here.cell % kHeadings);
     const std::int64_t cell = here.cell / kHeadings;
-    for (const int turn : {-1, 0, 1}) {  // of the motion that leads here
-      const int before = (heading - turn + kHeadings) % kHeadings;
-      const Motion& m = motions[static_cast<std::size_t>(before)][static_cast<std::size_t>(turn + 1)];
+    for (std::size_t i = 0; i < kTurns.size(); ++i) {  // of the motion that leads here
+      const int before = (heading - kTurns[i] + kHeadings) % kHeadings;
+      const Motion& m = motions[static_cast<std::size_t>(before)][i];
       std::int64_t x = cell % width_, y = cell / width_;
       bool free = true;
       for (auto step = m.steps.rbegin(); step != m.steps.rend() && free; ++step) {
