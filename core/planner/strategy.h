@@ -343,6 +343,7 @@ inline constexpr StrategyRow kStrategy[] = {
      JoinBetweenGears{.attachments = {.cells = 2.0, .most = 99, .most_expansions = 1000},
                       .few = GearAttachments{.cells = 2.0, .most = 24, .most_expansions = 250},
                       .gap = 0.6}},
+    {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // A path that is driven forwards is often cheaper beside a wall, and more so the more a change of gear costs.
     {"trees of a slim body, instead of changes of gear", kInsteadOfGearChanges, kShortSlimTrees, kUntilCompared},
     {"trees", kNarrowAfterGears, kCoarseTrees, kUntilCompared},
@@ -363,6 +364,9 @@ inline constexpr double kWorthForwards = 0.1;
 /// this share. With 0.1, plans of 40 queries among 100 obstacles take 1.4 % longer in all; the time is the same on
 /// driven worlds.
 inline constexpr double kWorthBothGears = 0.25;
+/// The path that trees of slim bodies are to improve is refined as well, unless theirs is cheaper by this share before
+/// refinement.
+inline constexpr double kMuchCheaper = 0.1;
 /// Trials of refinement for the cheapest path of the rows in both gears, as a multiple of RefineOptions::max_trials: it
 /// has taken longer to find.
 inline constexpr double kBothGearsTrials = 10.0;

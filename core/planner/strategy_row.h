@@ -195,6 +195,8 @@ struct GrowSlimGearTrees {
   std::size_t poses;  ///< of both ends together, for each body
   double slower;      ///< than the best path before refinement, at most this share
 };
+/// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
+struct RefineBothGears {};
 /// A part of a path, in shares of its travel time.
 struct PathPart {
   double begin, end;
@@ -214,7 +216,7 @@ using Step =
                  ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
                  FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
                  TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards, JoinBetweenGears,
-                 GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, PlanParts>;
+                 GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {
