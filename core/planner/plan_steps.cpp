@@ -376,8 +376,7 @@ void PlanRun::take(const JoinBackwards&, double) {
 
 void PlanRun::take(const JoinBetweenGears& step, double) {
   ReversingSearch& reversing = reversing_search();
-  const bool are_few = step.few && !is_forward_found_ && reversing.path() && grown_ == reversing.found() &&
-                       !has_gap(reversing.cost(), step.gap, true);
+  const bool are_few = step.few && !is_forward_found_ && reversing.path() && grown_ == reversing.found();
   search([&] { return reversing.join_between(are_few ? *step.few : step.attachments); });
 }
 

@@ -176,9 +176,8 @@ struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.
 struct JoinBetweenGears {
   GearAttachments attachments;
-  /// Fewer of them, where trees in both gears have found the only path, and its gap is below `gap`.
+  /// Fewer of them, where trees in both gears have found the only path.
   std::optional<GearAttachments> few = {};
-  double gap = 0.0;
 };
 /// Grows trees of motions in both gears: search_gears.
 struct GrowGearTrees {
