@@ -350,7 +350,7 @@ inline constexpr StrategyRow kStrategy[] = {
     {"changes of gear further away",
      {.driving = Driving::kBothGears, .gap = 0.34},
      JoinBetweenGears{.attachments = {.cells = 2.0, .most = 99, .most_expansions = 1000},
-                      .few = GearAttachments{.cells = 2.0, .most = 24, .most_expansions = 250}}},
+                      .few = GearAttachments{.cells = 2.0, .most = 12, .most_expansions = 120}}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // A path that is driven forwards is often cheaper beside a wall, and more so the more a change of gear costs.
     {"trees of a slim body, instead of changes of gear", kInsteadOfGearChanges, kShortSlimTrees, kUntilCompared},

@@ -72,13 +72,13 @@ TEST(PlanSteps, LookForAWayInBothGearsByTreesOfASlimBody) {
   EXPECT_LT(cusps_of(slim.path()), cusps_of(real.path()));
 }
 
-// Trees have found the way, at a gap of 50 %: 24 more poses of each end are tried in each gear at most.
+// Trees have found the way, at a gap of 50 %: 12 more poses of each end are tried in each gear at most.
 TEST(PlanSteps, TryFewPlacesToTurnBesideAWayOfTrees) {
   const Narrow way{"driven/hugging/r3/g2/c50/s6041", "changes of gear further away", true};
   const PlanResult few = plan(way, {}), none = plan(way, {way.row});
   ASSERT_TRUE(few.solved() && none.solved());
   EXPECT_GT(few.statistics.maneuver_poses, none.statistics.maneuver_poses);
-  EXPECT_LE(few.statistics.maneuver_poses, none.statistics.maneuver_poses + 4 * 25);
+  EXPECT_LE(few.statistics.maneuver_poses, none.statistics.maneuver_poses + 4 * 13);
 }
 
 // The way in both gears is a quarter slower before refinement than the one that is driven forwards.
