@@ -256,8 +256,12 @@ void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t sh
 
 void PlanRun::keep_in_both_gears() {
   if (!reversing_ || !reversing_->path() || std::exchange(kept_, reversing_->found()) == reversing_->found()) return;
-  if (cost_of(*reversing_->path()) > (1.0 + kWorthBothGears) * best_cost_) return;
-  keep(Path(*reversing_->path()), 0, kBothGearsTrials, RefineMode::kBothGears);
+  keep_from_both_gears(*reversing_->path());
+}
+
+void PlanRun::keep_from_both_gears(const Path& path) {
+  if (cost_of(path) > (1.0 + kWorthBothGears) * best_cost_) return;
+  keep(Path(path), 0, kBothGearsTrials, RefineMode::kBothGears);
 }
 
 }  // namespace arcway::internal

@@ -133,6 +133,7 @@ class PlanRun {
   void take(const GrowGearTrees& step, double trials);
   void take(const GrowNarrowGearTrees& step, double trials);
   void take(const GrowSlimGearTrees& step, double trials);
+  void take(const RefineBothGears& step, double trials);
   void take(const PlanParts& step, double trials);
 
   [[nodiscard]] const PlanMaps& maps_on(On on) const;
@@ -146,12 +147,16 @@ class PlanRun {
   // Grows trees in both gears, and remembers the path that they have found.
   template <class Grow>
   void grow_in_both_gears(const Grow& grow);
+  // See ReversingSearch::grow_slim_gear_trees, for each slim body until a path is pushed free or none is found.
+  void grow_slim_gear_trees(const GrowSlimGearTrees& step, double trials, double most);
   void keep_forwards(On on, FoundPath&& found, double trials);
   // Notes a path as the first one, unless one is noted.
   void note_first(const Path& path, double time);
   // Shortens a path of many motions, and keeps it.
   void keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
+  // Keeps the cheapest path of the search in both gears, unless it was kept.
   void keep_in_both_gears();
+  void keep_from_both_gears(const Path& path);
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);

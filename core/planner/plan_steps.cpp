@@ -376,8 +376,7 @@ void PlanRun::take(const JoinBackwards&, double) {
 
 void PlanRun::take(const JoinBetweenGears& step, double) {
   ReversingSearch& reversing = reversing_search();
-  const bool are_few = step.few && !is_forward_found_ && reversing.path() && grown_ == reversing.found() &&
-                       !has_gap(reversing.cost(), step.gap, true);
+  const bool are_few = step.few && !is_forward_found_ && reversing.path() && grown_ == reversing.found();
   search([&] { return reversing.join_between(are_few ? *step.few : step.attachments); });
 }
 
@@ -414,11 +413,20 @@ std::optional<Path> PlanRun::pushed_free(const Path& path, const Pose& goal, con
   return push_free(path, goal, space, query_.clock);
 }
 
+void PlanRun::take(const RefineBothGears&, double) { keep_in_both_gears(); }
+
 void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
   if (std::exchange(are_slim_gears_grown_, true)) return;
   is_narrow_ = is_narrow_ || !has_path();
-  keep_in_both_gears();  // refined, it may be the cheaper one
-  const double most = (1.0 + step.slower) * reversing_search().cost();
+  const ReversingSearch& reversing = reversing_search();
+  const std::optional<Path> before = reversing.path();
+  const double cost = reversing.cost();
+  grow_slim_gear_trees(step, trials, (1.0 + step.slower) * cost);
+  // Refined, it may be the cheaper one.
+  if (before && reversing.cost() > (1.0 - kMuchCheaper) * cost) keep_from_both_gears(*before);
+}
+
+void PlanRun::grow_slim_gear_trees(const GrowSlimGearTrees& step, double trials, double most) {
   for (std::size_t body = 0; body < kSlimBodies.size(); ++body) {
     const Roadmap* slim = slim_map(body);
     if (!slim) return;

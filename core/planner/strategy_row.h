@@ -176,9 +176,8 @@ struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.
 struct JoinBetweenGears {
   GearAttachments attachments;
-  /// Fewer of them, where trees in both gears have found the only path, and its gap is below `gap`.
+  /// Fewer of them, where trees in both gears have found the only path.
   std::optional<GearAttachments> few = {};
-  double gap = 0.0;
 };
 /// Grows trees of motions in both gears: search_gears.
 struct GrowGearTrees {
@@ -195,6 +194,8 @@ struct GrowSlimGearTrees {
   std::size_t poses;  ///< of both ends together, for each body
   double slower;      ///< than the best path before refinement, at most this share
 };
+/// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
+struct RefineBothGears {};
 /// A part of a path, in shares of its travel time.
 struct PathPart {
   double begin, end;
@@ -214,7 +215,7 @@ using Step =
                  ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
                  FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
                  TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards, JoinBetweenGears,
-                 GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, PlanParts>;
+                 GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -135,6 +135,7 @@ struct StepText {
     return "grow trees in both gears for narrow places, of slim bodies, and push their paths free: " +
            std::to_string(step.poses) + " poses";
   }
+  std::string operator()(const RefineBothGears&) const { return "refine the cheapest path of the rows in both gears"; }
 };
 
 }  // namespace

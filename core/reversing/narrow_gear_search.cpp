@@ -35,7 +35,9 @@ constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for the estima
 constexpr double kJoinDistance = 1.0;
 constexpr std::size_t kNearest = 2;       // number of poses of the other tree that a new pose is joined to
 constexpr std::size_t kJoiningWords = 6;  // number of words tried to each: the shortest that have room at the new pose
-constexpr std::size_t kExpandedAfter = 500;  // poses expanded after the first path, beyond as many as it took
+// Poses expanded after the first path, beyond as many as it took. With 500, plans of 180 driven worlds are as fast in
+// the mean.
+constexpr std::size_t kExpandedAfter = 100;
 
 class NarrowGearSearch {
  public:

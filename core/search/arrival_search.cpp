@@ -453,16 +453,14 @@ class ArrivalSearch::Run {
     w_.start_joints.resize(std::max(w_.start_joints.size(), std::size_t{s} + 1));
     w_.start_joints[s] = joint;
     const auto range = attachments_.links_from(s);
-    // In open country they may be ten thousand, and headings of a lazy graph take some ten microseconds each.
-    const StopClock& clock = context_.options.clock;
-    StopTicker ticker(clock);
+    StopTicker ticker(context_.options.clock);  // in open country they may be ten thousand
     const bool is_lazy = circles_.is_lazy();
-    const auto is_over = [&] { return is_lazy ? clock.is_over() : ticker.is_over(); };
     const auto close = w_.times.close_headings(from.circle);
-    for (std::uint32_t i = range.first; i < range.last && !is_over(); ++i) {
+    for (std::uint32_t i = range.first; i < range.last && !ticker.is_over(); ++i) {
       const AttachmentLink& link = attachments_.start_link(i);
       if (link.circle == context_.options.not_first) continue;
-      if (!graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
+      // A lazy graph finds them when the link is the next one, if it ever is.
+      if (!is_lazy && !graph_.free_headings(link.circle).contains(link.line.start.heading)) continue;
       const double radius = circles_.circle(link.circle).radius;
       const Vec2 end = link.line.start.position() + link.line.length * quick_direction_of(link.line.start.heading);
       const double from_radius = from.circle.radius;
