@@ -24,7 +24,7 @@ namespace arcway::internal {
 
 /// A way on which a path has been refined.
 struct RefinedWay {
-  std::uint64_t way;       ///< see SearchResult
+  std::uint64_t way;       ///< see Way::number
   double unrefined, cost;  ///< cost of the path before refinement, without gear changes [s], and afterwards
 };
 
@@ -158,8 +158,8 @@ class PlanRun {
   // The request for what lies between two joints of the best path, with the speeds of the profile there.
   [[nodiscard]] PlanRequest request_between(std::size_t from, std::size_t to) const;
   // Refines a path, unless that promises nothing, and keeps it if it is the cheapest one.
-  // `way`: see SearchResult.
-  Times keep(Path&& path, std::uint64_t way, double trials, RefineMode mode);
+  // `way`: that the path takes.
+  Times keep(Path&& path, const Way& way, double trials, RefineMode mode);
   // What is known of another path of its way, if refining this one promises nothing better.
   [[nodiscard]] const RefinedWay* refined_before(std::uint64_t way, double unrefined) const;
   // Refines a path into the workspace.

@@ -247,7 +247,7 @@ void PlanRun::take(const FollowZoneRoutes& step, double trials) {
     const std::vector<Pose> poses = poses_over(route->places, query_.request);
     Path path;
     if (drive_over(poses, path) + 1 < poses.size() || travel_time(path) > most) continue;
-    keep(std::move(path), 0, trials, RefineMode::kForwards);
+    keep(std::move(path), {}, trials, RefineMode::kForwards);
   }
 }
 
