@@ -217,6 +217,7 @@ PlanRun::Times PlanRun::keep(Path&& path, const Way& way, double trials, RefineM
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
     best_unrefined_ = {time, unrefined};
+    best_way_ = way;
     is_refined_at_length_ = false;
     s.unrefined_travel_time = time;
     found_ = true;

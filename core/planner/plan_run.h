@@ -127,6 +127,7 @@ class PlanRun {
   void take(const TryOtherFirstCircle& step, double trials);
   void take(const TryOtherTurns& step, double trials);
   void take(const TryOtherRadii& step, double trials);
+  void take(const TryOtherSides& step, double trials);
   void take(const RefineBest& step, double trials);
   void take(const JoinBackwards& step, double trials);
   void take(const JoinBetweenGears& step, double trials);
@@ -204,6 +205,7 @@ class PlanRun {
   bool is_bound_raised_ = false;
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
   Unrefined best_unrefined_;
+  Way best_way_;       // of the best path before refinement
   double best_cost_;   // infinite where there is none
   double best_rough_;  // least RefinedPath::rough_cost of all paths; infinite where there is none
   bool is_first_noted_ = false;

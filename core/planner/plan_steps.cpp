@@ -331,6 +331,21 @@ void PlanRun::take(const TryOtherRadii& step, double trials) {
   try_other_route(*map, 0, other, trials);
 }
 
+void PlanRun::take(const TryOtherSides& step, double trials) {
+  const Roadmap* map = query_.maps.other.find({step.radii, step.factor});
+  if (map == nullptr) return;
+  SearchOptions other = search_options_;
+  std::uint64_t way = 0;  // whose turns are left out, up to `turn`
+  std::size_t turn = 0;
+  for (std::uint32_t searches = 0; searches < step.most; ++searches) {
+    if (std::exchange(way, best_way_.number) != best_way_.number) turn = 0;
+    if (turn >= best_way_.count) return;
+    other.not_around = best_way_.turns[turn++];
+    other.faster_than = (1.0 + step.slower) * best_cost_;
+    try_other_route(*map, 0, other, trials);
+  }
+}
+
 void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
   options.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   options.end_radii = end_radii(kEndRadii);
