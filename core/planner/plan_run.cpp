@@ -29,6 +29,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       distance_((query.request.goal.position() - query.request.start.position()).norm()),
       are_turns_optimized_(optimizes_turns(query.map().vehicle, query.options.refinement)),
       best_cost_(kInfinity),
+      second_cost_(kInfinity),
       best_rough_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
   search_options_.ends = query.ends();
@@ -214,6 +215,9 @@ PlanRun::Times PlanRun::keep(Path&& path, const Way& way, double trials, RefineM
   const double cost = cost_of(workspace_.refined.path);
   if (way.number != 0 && are_turns_optimized_) workspace_.ways.push_back({way.number, unrefined, cost});
   if (cost < best_cost_) {
+    // What was refined at length need not be refined again.
+    if (!is_refined_at_length_ && best_cost_ > (1.0 + kSameCost) * cost)
+      keep_second(workspace_.best, best_cost_, best_unrefined_);
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
     best_unrefined_ = {time, unrefined};
@@ -221,8 +225,18 @@ PlanRun::Times PlanRun::keep(Path&& path, const Way& way, double trials, RefineM
     is_refined_at_length_ = false;
     s.unrefined_travel_time = time;
     found_ = true;
+  } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
+    keep_second(workspace_.refined.path, cost, {time, unrefined});
   }
   return {unrefined, cost};
+}
+
+void PlanRun::keep_second(Path& path, double cost, const Unrefined& unrefined) {
+  const auto is_forwards = [](const PathSegment& s) { return s.gear == Gear::kForward; };
+  if (!std::ranges::all_of(path, is_forwards)) return;
+  std::swap(workspace_.second, path);
+  second_cost_ = cost;
+  second_unrefined_ = unrefined;
 }
 
 void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {

@@ -34,7 +34,7 @@ struct PlanWorkspace {
   FindWorkspace find_without_zones;  // apart, as searches of `find` continue each other
   PathRefiner refiner;
   RefinedPath refined;
-  Path best;
+  Path best, second;
   SpeedProfile profile;
   std::vector<double> unrefined_costs;  // of all paths found so far, before refinement, without gear changes [s]
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
@@ -153,6 +153,11 @@ class PlanRun {
   // Shortens a path of many motions, and keeps it.
   void keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   void keep_in_both_gears();
+  // Refines a path further, and keeps it if it is the cheapest one then.
+  // `unrefined`: of the path.
+  void refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
+  // Keeps a path as the second best one if it is driven forwards. Takes its memory and leaves that of the one before.
+  void keep_second(Path& path, double cost, const Unrefined& unrefined);
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);
@@ -205,8 +210,10 @@ class PlanRun {
   bool is_bound_raised_ = false;
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
   Unrefined best_unrefined_;
-  Way best_way_;       // of the best path before refinement
-  double best_cost_;   // infinite where there is none
+  Way best_way_;        // of the best path before refinement
+  double best_cost_;    // infinite where there is none
+  double second_cost_;  // of the cheapest path of another cost, not refined at length; infinite where there is none
+  Unrefined second_unrefined_;
   double best_rough_;  // least RefinedPath::rough_cost of all paths; infinite where there is none
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found

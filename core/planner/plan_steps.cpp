@@ -363,13 +363,21 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
   }
 }
 
-void PlanRun::take(const RefineBest&, double trials) {
+void PlanRun::take(const RefineBest& step, double trials) {
   if (std::exchange(is_refined_at_length_, true)) return;
-  refine(workspace_.best, trials, RefineMode::kAtLength);
+  const bool are_close = std::exchange(second_cost_, kInfinity) <= (1.0 + step.close) * best_cost_;
+  refine_at_length(workspace_.best, best_unrefined_, trials);
+  if (are_close) refine_at_length(workspace_.second, second_unrefined_, trials);
+}
+
+void PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, double trials) {
+  refine(path, trials, RefineMode::kAtLength);
   const double cost = cost_of(workspace_.refined.path);
   if (cost >= best_cost_) return;
   std::swap(workspace_.best, workspace_.refined.path);
   best_cost_ = cost;
+  best_unrefined_ = unrefined;
+  result_.statistics.unrefined_travel_time = unrefined.time;
 }
 
 ReversingSearch& PlanRun::reversing_search() {

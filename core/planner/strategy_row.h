@@ -177,8 +177,11 @@ struct TryOtherSides {
   double slower;       ///< than the best path so far, at most this share, for that vehicle
   std::uint32_t most;  ///< number of searches
 };
-/// Refines the best path further, once.
-struct RefineBest {};
+/// Refines the best path further, once. So is the second best one if it costs more by at most a share: it may be the
+/// cheaper one then.
+struct RefineBest {
+  double close;
+};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.

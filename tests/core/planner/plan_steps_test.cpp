@@ -176,6 +176,19 @@ TEST(PlanSteps, PassAnObstacleOnItsOtherSide) {
   EXPECT_LT(all.travel_time, 0.92 * few.travel_time);
 }
 
+// Of two paths that cost about the same, the one that costs more becomes the faster one at length. Refined at length,
+// the other one takes 11.02 s.
+TEST(PlanSteps, RefineTheSecondBestPathAtLength) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.3, .seed = 38});
+  const PlanRequest request{.start = {60.5, 44.3, 2.62}, .goal = {57.3, 18.2, 2.63}};
+  const PlanResult found =
+      Planner(world, vehicle, {.leave_out = {"trees of a slim body, for a faster path"}}).plan(request);
+  ASSERT_TRUE(found.solved());
+  EXPECT_LT(found.travel_time, 10.8);
+}
+
 // Refinement has no moves.
 PlannerOptions only_with(std::initializer_list<std::string_view> rows) {
   PlannerOptions options;
