@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -44,6 +45,9 @@ struct SearchOptions {
   /// Circles of the graph that a path may not join first, or leave for the goal; kNone: all allowed. They are those of
   /// a known path, where another route is wanted.
   std::uint32_t not_first = kNone, not_last = kNone;
+  /// A turn around an obstacle, see Way::turn_around, that the path may not take; kNone: all allowed. It is one of a
+  /// known path, where another way is wanted.
+  std::uint32_t not_around = kNone;
   /// Number of radii, from the smallest on, of the circles by which start and goal join the roadmap.
   std::size_t end_radii = kEveryRadius;
   /// Whether a second thread runs ahead of a long search on a lazy graph, in a workspace of its own. It computes rows,
@@ -68,14 +72,22 @@ struct SearchCounts {
   }
 };
 
+/// The way that a path takes: which obstacles it turns around one after the other, and to which sides.
+struct Way {
+  /// An obstacle and a side of one turn: twice the obstacle's number, plus 1 to the left.
+  static std::uint32_t turn_around(std::uint32_t obstacle, bool left) { return 2 * obstacle + (left ? 1 : 0); }
+
+  std::uint64_t number = 0;  ///< paths of one way have the same; 0 if the path touches no circle of the graph
+  std::size_t count = 0;     ///< of `turns`
+  std::array<std::uint32_t, 16> turns{};  ///< the first of them; several in a row around one obstacle count as one
+};
+
 /// The result of one search.
 struct SearchResult {
   std::optional<Path> path;  ///< from start to goal, connections included
   /// The circles of the graph that the path joins first, and leaves for the goal; kNone if it touches none.
   std::uint32_t first_circle = kNone, last_circle = kNone;
-  /// A number for the way that the path takes: which obstacles it turns around one after the other, and to which sides.
-  /// Paths of one way have the same. 0 if it touches no circle of the graph.
-  std::uint64_t way = 0;
+  Way way;
   bool interrupted = false;      ///< by the clock; a path is then the best one found by then
   bool start_connected = false;  ///< some motion leads from a start attachment to the graph or the goal
   bool goal_connected = false;  ///< some straight leads from a circle, reached or not, to a circle of a goal attachment

@@ -86,7 +86,7 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double t
   // The gear may change between parts too.
   if (cusps_of(joined) > gear_changes_.most || cost_of(joined) >= best_cost_) return true;
   const RefineMode mode = std::ranges::any_of(joined, is_reversing) ? RefineMode::kBothGears : RefineMode::kForwards;
-  keep(std::move(joined), 0, trials, mode);
+  keep(std::move(joined), {}, trials, mode);
   return false;
 }
 

@@ -29,6 +29,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       distance_((query.request.goal.position() - query.request.start.position()).norm()),
       are_turns_optimized_(optimizes_turns(query.map().vehicle, query.options.refinement)),
       best_cost_(kInfinity),
+      second_cost_(kInfinity),
       best_rough_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
   search_options_.ends = query.ends();
@@ -51,7 +52,7 @@ void PlanRun::follow(std::span<const StrategyRow> rows) {
     const double trials = query_.maps.tightest ? row.trials.several : row.trials.tightest;
     std::visit([&](const auto& step) { take(step, trials); }, row.step);
   }
-  if (soon_) keep(*std::exchange(soon_, std::nullopt), 0, 0.0, RefineMode::kForwards);
+  if (soon_) keep(*std::exchange(soon_, std::nullopt), {}, 0.0, RefineMode::kForwards);
   keep_in_both_gears();
   if (!has_proof_ && forward_all_radii_) why_.obstruction = forward_all_radii_->obstruction();
 }
@@ -195,13 +196,13 @@ const RefinedWay* PlanRun::refined_before(std::uint64_t way, double unrefined) c
   return known != ways.end() ? &*known : nullptr;
 }
 
-PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, RefineMode mode) {
+PlanRun::Times PlanRun::keep(Path&& path, const Way& way, double trials, RefineMode mode) {
   PlanStatistics& s = result_.statistics;
   const double time = travel_time(path);
   if (time == kInfinity) return {kInfinity, kInfinity};
   const double unrefined = time + clearance_cost(path);
   workspace_.unrefined_costs.push_back(unrefined);
-  if (const RefinedWay* known = refined_before(way, unrefined)) {
+  if (const RefinedWay* known = refined_before(way.number, unrefined)) {
     workspace_.find.search.reuse(std::move(path));
     return {unrefined, known->cost};
   }
@@ -212,16 +213,30 @@ PlanRun::Times PlanRun::keep(Path&& path, std::uint64_t way, double trials, Refi
   workspace_.find.search.reuse(std::move(path));
   if (soon_) workspace_.find.search.reuse(*std::exchange(soon_, std::nullopt));
   const double cost = cost_of(workspace_.refined.path);
-  if (way != 0 && are_turns_optimized_) workspace_.ways.push_back({way, unrefined, cost});
+  if (way.number != 0 && are_turns_optimized_) workspace_.ways.push_back({way.number, unrefined, cost});
   if (cost < best_cost_) {
+    // What was refined at length need not be refined again.
+    if (!is_refined_at_length_ && best_cost_ > (1.0 + kSameCost) * cost)
+      keep_second(workspace_.best, best_cost_, best_unrefined_);
     std::swap(workspace_.best, workspace_.refined.path);
     best_cost_ = cost;
     best_unrefined_ = {time, unrefined};
+    best_way_ = way;
     is_refined_at_length_ = false;
     s.unrefined_travel_time = time;
     found_ = true;
+  } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
+    keep_second(workspace_.refined.path, cost, {time, unrefined});
   }
   return {unrefined, cost};
+}
+
+void PlanRun::keep_second(Path& path, double cost, const Unrefined& unrefined) {
+  const auto is_forwards = [](const PathSegment& s) { return s.gear == Gear::kForward; };
+  if (!std::ranges::all_of(path, is_forwards)) return;
+  std::swap(workspace_.second, path);
+  second_cost_ = cost;
+  second_unrefined_ = unrefined;
 }
 
 void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {
@@ -248,7 +263,7 @@ void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t sh
     path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock,
                         {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()});
   }
-  const Times times = keep(std::move(path), 0, trials, RefineMode::kForwards);
+  const Times times = keep(std::move(path), {}, trials, RefineMode::kForwards);
   if (times.cost == kInfinity || (!is_first && times.cost >= fastest_.times.cost)) return;
   maps_ = &maps;
   fastest_ = {times, &maps.plain, 0, kNone, kNone};
@@ -261,7 +276,7 @@ void PlanRun::keep_in_both_gears() {
 
 void PlanRun::keep_from_both_gears(const Path& path) {
   if (cost_of(path) > (1.0 + kWorthBothGears) * best_cost_) return;
-  keep(Path(path), 0, kBothGearsTrials, RefineMode::kBothGears);
+  keep(Path(path), {}, kBothGearsTrials, RefineMode::kBothGears);
 }
 
 }  // namespace arcway::internal

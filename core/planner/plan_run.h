@@ -24,7 +24,7 @@ namespace arcway::internal {
 
 /// A way on which a path has been refined.
 struct RefinedWay {
-  std::uint64_t way;       ///< see SearchResult
+  std::uint64_t way;       ///< see Way::number
   double unrefined, cost;  ///< cost of the path before refinement, without gear changes [s], and afterwards
 };
 
@@ -34,7 +34,7 @@ struct PlanWorkspace {
   FindWorkspace find_without_zones;  // apart, as searches of `find` continue each other
   PathRefiner refiner;
   RefinedPath refined;
-  Path best;
+  Path best, second;
   SpeedProfile profile;
   std::vector<double> unrefined_costs;  // of all paths found so far, before refinement, without gear changes [s]
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
@@ -127,6 +127,7 @@ class PlanRun {
   void take(const TryOtherFirstCircle& step, double trials);
   void take(const TryOtherTurns& step, double trials);
   void take(const TryOtherRadii& step, double trials);
+  void take(const TryOtherSides& step, double trials);
   void take(const RefineBest& step, double trials);
   void take(const JoinBackwards& step, double trials);
   void take(const JoinBetweenGears& step, double trials);
@@ -157,14 +158,19 @@ class PlanRun {
   // Keeps the cheapest path of the search in both gears, unless it was kept.
   void keep_in_both_gears();
   void keep_from_both_gears(const Path& path);
+  // Refines a path further, and keeps it if it is the cheapest one then.
+  // `unrefined`: of the path.
+  void refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
+  // Keeps a path as the second best one if it is driven forwards. Takes its memory and leaves that of the one before.
+  void keep_second(Path& path, double cost, const Unrefined& unrefined);
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);
   // The request for what lies between two joints of the best path, with the speeds of the profile there.
   [[nodiscard]] PlanRequest request_between(std::size_t from, std::size_t to) const;
   // Refines a path, unless that promises nothing, and keeps it if it is the cheapest one.
-  // `way`: see SearchResult.
-  Times keep(Path&& path, std::uint64_t way, double trials, RefineMode mode);
+  // `way`: that the path takes.
+  Times keep(Path&& path, const Way& way, double trials, RefineMode mode);
   // What is known of another path of its way, if refining this one promises nothing better.
   [[nodiscard]] const RefinedWay* refined_before(std::uint64_t way, double unrefined) const;
   // Refines a path into the workspace.
@@ -209,7 +215,10 @@ class PlanRun {
   bool is_bound_raised_ = false;
   bool are_turns_optimized_;  // by refinement, where a path is driven forwards
   Unrefined best_unrefined_;
-  double best_cost_;   // infinite where there is none
+  Way best_way_;        // of the best path before refinement
+  double best_cost_;    // infinite where there is none
+  double second_cost_;  // of the cheapest path of another cost, not refined at length; infinite where there is none
+  Unrefined second_unrefined_;
   double best_rough_;  // least RefinedPath::rough_cost of all paths; infinite where there is none
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found

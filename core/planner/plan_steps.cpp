@@ -247,7 +247,7 @@ void PlanRun::take(const FollowZoneRoutes& step, double trials) {
     const std::vector<Pose> poses = poses_over(route->places, query_.request);
     Path path;
     if (drive_over(poses, path) + 1 < poses.size() || travel_time(path) > most) continue;
-    keep(std::move(path), 0, trials, RefineMode::kForwards);
+    keep(std::move(path), {}, trials, RefineMode::kForwards);
   }
 }
 
@@ -331,6 +331,21 @@ void PlanRun::take(const TryOtherRadii& step, double trials) {
   try_other_route(*map, 0, other, trials);
 }
 
+void PlanRun::take(const TryOtherSides& step, double trials) {
+  const Roadmap* map = query_.maps.other.find({step.radii, step.factor});
+  if (map == nullptr) return;
+  SearchOptions other = search_options_;
+  std::uint64_t way = 0;  // whose turns are left out, up to `turn`
+  std::size_t turn = 0;
+  for (std::uint32_t searches = 0; searches < step.most; ++searches) {
+    if (std::exchange(way, best_way_.number) != best_way_.number) turn = 0;
+    if (turn >= best_way_.count) return;
+    other.not_around = best_way_.turns[turn++];
+    other.faster_than = (1.0 + step.slower) * best_cost_;
+    try_other_route(*map, 0, other, trials);
+  }
+}
+
 void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials) {
   options.most_expanded = first_expanded_ / 4 + kMoreExpanded;
   options.end_radii = end_radii(kEndRadii);
@@ -348,13 +363,21 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
   }
 }
 
-void PlanRun::take(const RefineBest&, double trials) {
+void PlanRun::take(const RefineBest& step, double trials) {
   if (std::exchange(is_refined_at_length_, true)) return;
-  refine(workspace_.best, trials, RefineMode::kAtLength);
+  const bool are_close = std::exchange(second_cost_, kInfinity) <= (1.0 + step.close) * best_cost_;
+  refine_at_length(workspace_.best, best_unrefined_, trials);
+  if (are_close) refine_at_length(workspace_.second, second_unrefined_, trials);
+}
+
+void PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, double trials) {
+  refine(path, trials, RefineMode::kAtLength);
   const double cost = cost_of(workspace_.refined.path);
   if (cost >= best_cost_) return;
   std::swap(workspace_.best, workspace_.refined.path);
   best_cost_ = cost;
+  best_unrefined_ = unrefined;
+  result_.statistics.unrefined_travel_time = unrefined.time;
 }
 
 ReversingSearch& PlanRun::reversing_search() {

@@ -169,8 +169,19 @@ struct TryOtherRadii {
   double factor;      ///< of the lateral acceleration
   double slower;      ///< than the best path so far, at most this share, for that vehicle
 };
-/// Refines the best path further, once.
-struct RefineBest {};
+/// Looks for paths that pass an obstacle of the best one on its other side: each search leaves out one of its turns.
+/// Where a path of another way becomes the best one, its turns follow.
+struct TryOtherSides {
+  std::size_t radii;   ///< as for TryOtherRadii, with a map of one of these
+  double factor;       ///< of the lateral acceleration
+  double slower;       ///< than the best path so far, at most this share, for that vehicle
+  std::uint32_t most;  ///< number of searches
+};
+/// Refines the best path further, once. So is the second best one if it costs more by at most a share: it may be the
+/// cheaper one then.
+struct RefineBest {
+  double close;
+};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.
@@ -214,8 +225,8 @@ using Step =
     std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
                  ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
                  FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
-                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, RefineBest, JoinBackwards, JoinBetweenGears,
-                 GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts>;
+                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, TryOtherSides, RefineBest, JoinBackwards,
+                 JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -115,7 +115,15 @@ struct StepText {
            ", for a vehicle of " + shortest_text(step.factor) + " x lateral acceleration, unless that takes " +
            percent(step.slower) + " longer than the best path";
   }
-  std::string operator()(const RefineBest&) const { return "refine the best path further"; }
+  std::string operator()(const TryOtherSides& step) const {
+    return "search again, without turning around an obstacle of the best path as that does: at most " +
+           std::to_string(step.most) + " times, with the first " + std::to_string(step.radii) +
+           " radii, for a vehicle of " + shortest_text(step.factor) + " x lateral acceleration, unless that takes " +
+           percent(step.slower) + " longer than the best path";
+  }
+  std::string operator()(const RefineBest& step) const {
+    return "refine the best path further, and the second best one if it costs at most " + percent(step.close) + " more";
+  }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
   std::string operator()(const JoinBetweenGears& step) const {
     const std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees," : "";

@@ -112,7 +112,7 @@ struct Question {
   EndSpeeds ends;
   double cusp_cost;
   double suboptimality;
-  std::uint32_t not_first, not_last;
+  std::uint32_t not_first, not_last, not_around;
   std::size_t end_radii;
   friend bool operator==(const Question&, const Question&) = default;
 };
@@ -123,7 +123,8 @@ Question question_of(const SearchContext& context) {
           o.heuristic,     o.time_model,
           o.ends,          o.cusp_cost,
           o.suboptimality, o.not_first,
-          o.not_last,      o.end_radii};
+          o.not_last,      o.not_around,
+          o.end_radii};
 }
 
 }  // namespace
@@ -480,6 +481,7 @@ class ArrivalSearch::Run {
   // Expands a new label. False if an older one is as good, or its arrival is not free.
   bool arrive(Label label) {
     const CircleTable::Circle circle = circles_.circle(label.circle);
+    if (context_.options.not_around != kNone && turn_on(label.circle) == context_.options.not_around) return false;
     label.reach = circles_.reach(label.circle, label.heading);
     if (label.reach < 0.0) return false;
     label.next = w_.first_label.get(label.circle);
@@ -595,14 +597,20 @@ class ArrivalSearch::Run {
     }
   }
 
-  // The number of a way. Turns in a row around one obstacle count as one.
-  [[nodiscard]] std::uint64_t way_of(std::span<const std::uint32_t> chain) const {
-    std::uint64_t way = 1, last = std::numeric_limits<std::uint64_t>::max();  // 0 is no way
+  // What a path turns around on a circle, see Way.
+  [[nodiscard]] std::uint32_t turn_on(std::uint32_t circle) const {
+    const TurnCircle& c = graph_.circles()[circle];
+    return Way::turn_around(context_.map.world.obstacle_of(c.vertex), c.side == Side::kLeft);
+  }
+
+  [[nodiscard]] Way way_of(std::span<const std::uint32_t> chain) const {
+    Way way{.number = 1};  // 0 is no way
+    std::uint32_t last = kNone;
     for (std::size_t i = chain.size(); i-- > 0;) {
-      const TurnCircle& circle = graph_.circles()[w_.labels[chain[i]].circle];
-      const std::uint64_t obstacle = context_.map.world.obstacle_of(circle.vertex);
-      const std::uint64_t turn = 2 * obstacle + (circle.side == Side::kLeft ? 1 : 0);
-      if (std::exchange(last, turn) != turn) way = hash_of(std::array{way, turn});
+      const std::uint32_t turn = turn_on(w_.labels[chain[i]].circle);
+      if (std::exchange(last, turn) == turn) continue;
+      way.number = hash_of(std::array{way.number, std::uint64_t{turn}});
+      if (way.count < way.turns.size()) way.turns[way.count++] = turn;
     }
     return way;
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "arcway/angle.h"
@@ -64,6 +65,8 @@ class Enumeration {
   }
   [[nodiscard]] std::size_t paths() const { return paths_; }
 
+  std::uint32_t not_around = kNone;  // see SearchOptions
+
  private:
   bool is_free(const PathSegment& s) const {
     if (s.is_line()) return map_.queries.sweep->straight_free(swept_rectangle(s.start, s.length, map_.body));
@@ -119,6 +122,7 @@ class Enumeration {
 
   void visit(std::uint32_t c, double heading) {
     const TurnCircle& circle = map_.graph->circles()[c];
+    if (Way::turn_around(map_.world.obstacle_of(circle.vertex), circle.side == Side::kLeft) == not_around) return;
     if (!map_.graph->free_headings(c).contains(heading)) return;
     for (const Side side : {Side::kLeft, Side::kRight})
       for (const double radius : map_.radii.of(side)) {
@@ -403,6 +407,39 @@ TEST(ArrivalSearch, FindsTheFastestPathThatJoinsOrLeavesTheGraphElsewhere) {
   EXPECT_GT(alone, 0);
 }
 
+// The next path may not turn around an obstacle as the fastest one does.
+TEST(ArrivalSearch, FindsTheFastestPathThatDoesNotTurnAroundAnObstacle) {
+  test::RandomInputs random(18);
+  ArrivalSearch search;
+  int others = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const World world = world_of_few(5, 0.25, seed);
+    const Vehicle vehicle;
+    const Roadmap map = make_map(world, vehicle, {vehicle.min_turning_radius()}, GraphMode::kEager);
+    for (int i = 0; i < 20; ++i) {
+      const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
+      const SearchResult best = search.find(map, {&start, 1}, {&goal, 1}, {});
+      for (const std::uint32_t turn : std::span(best.way.turns).first(best.way.count)) {
+        SearchOptions options;
+        options.warm_start = true;  // has no effect, as the question differs
+        options.not_around = turn;
+        const SearchResult other = search.find(map, {&start, 1}, {&goal, 1}, options);
+        if (!other.path) continue;
+        const auto turns = std::span(other.way.turns).first(other.way.count);
+        EXPECT_EQ(std::ranges::find(turns, turn), turns.end());
+        EXPECT_NE(other.way.number, best.way.number);
+        const double time = speed_profile(*other.path, vehicle).total_time;
+        Enumeration all(map, start.pose, goal.pose, time);
+        all.not_around = turn;
+        EXPECT_NEAR(all.best(), time, 1e-9 * time) << "seed " << seed << ", query " << i;
+        EXPECT_GE(all.paths(), 1u);
+        ++others;
+      }
+    }
+  }
+  EXPECT_GT(others, 25);
+}
+
 TEST(ArrivalSearch, TakesTheSamePathThroughEagerAndLazyGraphs) {
   const World world =
       random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 6, .fill = 0.3, .seed = 2});
@@ -604,7 +641,7 @@ TEST(ArrivalSearch, PathsOfOneWayHaveItsNumber) {
     const std::vector<Attachment> start{{{-12.0, height, 0.0}, {}}}, goal{{{12.0, height, 0.0}, {}}};
     const SearchResult result = search.find(map, start, goal, {});
     EXPECT_TRUE(result.path);
-    return result.way;
+    return result.way.number;
   };
   const std::vector<double> tightest{1.3}, wider{5.2};
   const std::uint64_t below = way_at(-1.0, tightest), above = way_at(1.0, tightest);
