@@ -212,8 +212,8 @@ void RouteField::heed_turns(double radius, const StopClock& clock) {
   if (clock.is_over()) return;
   std::array<std::array<Motion, kTurns.size()>, kHeadings> motions;
   for (int heading = 0; heading < kHeadings; ++heading)
-    for (std::size_t i = 0; i < kTurns.size(); ++i)
-      motions[static_cast<std::size_t>(heading)][i] = motion(heading, kTurns[i], kTighter * radius / size_);
+    for (std::size_t k = 0; k < kTurns.size(); ++k)
+      motions[static_cast<std::size_t>(heading)][k] = motion(heading, kTurns[k], kTighter * radius / size_);
   lengths_.assign(cells_.size() * kHeadings, kNever);
   float longest_motion = kDiagonal, longest = 0.0F;
   for (const auto& of_heading : motions)
@@ -237,9 +237,9 @@ void RouteField::heed_turns(double radius, const StopClock& clock) {
     longest = std::max(longest, here.length);
     const int heading = static_cast<int>(here.cell % kHeadings);
     const std::int64_t cell = here.cell / kHeadings;
-    for (std::size_t i = 0; i < kTurns.size(); ++i) {  // of the motion that leads here
-      const int before = (heading - kTurns[i] + kHeadings) % kHeadings;
-      const Motion& m = motions[static_cast<std::size_t>(before)][i];
+    for (std::size_t k = 0; k < kTurns.size(); ++k) {  // of the motion that leads here
+      const int before = (heading - kTurns[k] + kHeadings) % kHeadings;
+      const Motion& m = motions[static_cast<std::size_t>(before)][k];
       std::int64_t x = cell % width_, y = cell / width_;
       bool free = true;
       for (auto step = m.steps.rbegin(); step != m.steps.rend() && free; ++step) {
