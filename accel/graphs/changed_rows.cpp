@@ -25,7 +25,7 @@ namespace {
 // Largest share of the vertices that obstacles removed and added since the triangulation was made may have; some are
 // always allowed. Lines of sight pass all of these, so that more and more vertices seem to see each other.
 constexpr double kMostChanged = 0.25;
-constexpr std::size_t kChangedAtLeast = 256;
+constexpr std::size_t kChangedAtLeast = 64;
 
 // Ascending, each vertex once.
 void sort_once(std::vector<VertexId>& vertices) {

@@ -22,7 +22,7 @@ namespace {
 
 TEST(LiveMemory, DoesNotGrowInADriveThroughAMapThatChanges) {
   if (!test::counts_memory()) GTEST_SKIP() << "a sanitizer's operator new does not count";
-  constexpr std::size_t kWarmUp = 500, kCycles = 2500;
+  constexpr std::size_t kWarmUp = 1500, kCycles = 4000;  // until all obstacles have moved; of all
   const World world = random_world({.obstacles = 20, .vertices = 6, .fill = 0.1, .seed = 2});
   const Vehicle vehicle({.max_speed = 3.0, .max_acceleration = 1.0});
   std::vector<Pose> goals;
