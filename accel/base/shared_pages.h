@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,8 @@ class SharedPages {
       page = std::make_shared<Page>();
     } else if (page.use_count() > 1) {
       page = std::make_shared<Page>(*page);
+    } else {
+      std::atomic_thread_fence(std::memory_order_acquire);  // another owner that is gone may have read it last
     }
     return *page;
   }
