@@ -24,8 +24,8 @@ namespace {
 
 // Largest share of the vertices that obstacles removed and added since the triangulation was made may have; some are
 // always allowed. Lines of sight pass all of these, so that more and more vertices seem to see each other. The mean of
-// 300 changes among 10,004 vertices, each of another obstacle, is 0.7 ms with an eighth, 0.9 with a quarter and 1.9 with
-// half of them.
+// 300 changes among 10,004 vertices, each of another obstacle, is 0.7 ms with an eighth, 0.9 with a quarter and 1.9
+// with half of them.
 constexpr double kMostChanged = 0.25;
 constexpr std::size_t kChangedAtLeast = 64;
 
