@@ -68,6 +68,19 @@ class Difference {
     return static_cast<double>(triangles.opened_vertices() + occupants.vertex_count()) <= most;
   }
 
+  // The graph vertices of the present world that are marked, ascending: those that were triangulated, and occupants.
+  [[nodiscard]] std::vector<VertexId> seen_by(const ChangeVisibility& viewers, const World& world) const {
+    std::vector<VertexId> seen;
+    for (const std::uint32_t n : viewers.viewers().all()) {
+      const VertexId v = map.after(triangles.triangulation().nodes()[n].vertex);
+      if (v != kNone && world.is_graph_vertex(v)) seen.push_back(v);
+    }
+    for (const std::uint32_t number : viewers.occupants())
+      add_graph_vertices(world, occupants.with_number(number).vertices, seen);
+    sort_once(seen);
+    return seen;
+  }
+
   VertexMap map;                  // from the world that was triangulated
   OpenedTriangulation triangles;  // removed obstacles are opened
   Occupants occupants;            // added obstacles, and some that have vertices which removed ones covered
@@ -147,18 +160,9 @@ void ChangedRows::find_anew(VertexId vertex, std::vector<VertexId>& row) const {
   const Vec2& here = world_.vertex(vertex);
   ChangeVisibility viewers(difference_.triangles, &difference_.occupants);
   viewers.mark_neighbors(world_, vertex);
-  std::vector<VertexId> seen;
+  const std::vector<VertexId> seen = difference_.seen_by(viewers, world_);
   std::vector<Box> boxes;
-  for (const std::uint32_t n : viewers.viewers().all()) {
-    const VertexId v = difference_.map.after(difference_.triangles.triangulation().nodes()[n].vertex);
-    if (v != kNone && world_.is_graph_vertex(v)) seen.push_back(v);
-  }
-  for (const std::uint32_t number : viewers.occupants()) {
-    const Occupants::Occupant& occupant = difference_.occupants.with_number(number);
-    add_graph_vertices(world_, occupant.vertices, seen);
-    boxes.push_back(occupant.box);
-  }
-  sort_once(seen);
+  for (const std::uint32_t number : viewers.occupants()) boxes.push_back(difference_.occupants.with_number(number).box);
   const NearBoxes near(boxes);
   std::vector<VertexId> candidates;
   std::vector<LineSegment> segments;
@@ -222,14 +226,7 @@ std::optional<VisibilityRows::Changed> rows_after(const std::shared_ptr<const La
   ChangeVisibility viewers(difference.triangles, &difference.occupants);
   viewers.mark_viewers(boxes);
   difference.touched.mark_all_of(viewers.viewers());
-  std::vector<VertexId> differ;
-  for (const std::uint32_t n : viewers.viewers().all()) {
-    const VertexId v = difference.map.after(difference.triangles.triangulation().nodes()[n].vertex);
-    if (v != kNone && after.is_graph_vertex(v)) differ.push_back(v);
-  }
-  for (const std::uint32_t number : viewers.occupants())
-    add_graph_vertices(after, difference.occupants.with_number(number).vertices, differ);
-  sort_once(differ);
+  std::vector<VertexId> differ = difference.seen_by(viewers, after);
   auto rows = std::make_shared<const ChangedRows>(base, after, std::move(difference), std::move(visibility));
   return VisibilityRows::Changed{std::move(rows), std::move(differ)};
 }
