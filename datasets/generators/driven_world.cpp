@@ -112,9 +112,10 @@ double random_radius(Scene& scene) {
 
 void scatter(Scene& scene) {
   for (std::size_t i = 0; i < kScatteredDraws; ++i) {
-    const Vec2 center(scene.random.uniform(scene.box.min.x(), scene.box.max.x()),
-                      scene.random.uniform(scene.box.min.y(), scene.box.max.y()));
-    Ring ring = random_polygon(scene.random, center, random_radius(scene));
+    // One after the other: the order of two draws within one call is the compiler's.
+    const double y = scene.random.uniform(scene.box.min.y(), scene.box.max.y());
+    const double x = scene.random.uniform(scene.box.min.x(), scene.box.max.x());
+    Ring ring = random_polygon(scene.random, {x, y}, random_radius(scene));
     if (scene.is_clear(ring)) scene.add(std::move(ring));
   }
 }

@@ -98,6 +98,15 @@ TEST(DrivenWorld, IsTheSameForTheSameNameAndAnotherForAnotherSeed) {
   EXPECT_FALSE(catalog_driven_world("clutter/convex"));
 }
 
+// Two draws in one call once came in the compiler's order.
+TEST(ScatteredWorld, IsTheSameFromAllCompilers) {
+  const DrivenWorld made = *catalog_driven_world("driven/scattered/r4/g2/c50/s5016");
+  ASSERT_EQ(made.map.obstacles.size(), 50u);
+  const Vec2& first = made.map.obstacles.front().outer.front();
+  EXPECT_NEAR(first.x(), 0.954902, 1e-6);
+  EXPECT_NEAR(first.y(), 5.617686, 1e-6);
+}
+
 TEST(DrivenWorld, RefusesWhatIsOutOfRange) {
   const auto message_of = [](std::string_view name) {
     try {
