@@ -308,7 +308,7 @@ std::string feasible_row(const Planner& planner) {
 
 std::string world_rows(const World& world) {
   std::string text = row("obstacles", count_text(world.obstacle_count()));
-  text += row("vertices", count_text(world.vertices().size()) + " (" + count_text(world.convex_vertices().size()) +
+  text += row("vertices", count_text(world.vertices().size()) + " (" + count_text(world.graph_vertex_count()) +
                               " convex and free)");
   const Box& box = world.box();
   if (!box.empty()) {

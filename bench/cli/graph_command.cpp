@@ -93,7 +93,7 @@ std::string counts_json(const GraphArguments& arguments, const World& world, con
                                  {"kind", arguments.kind},
                                  {"obstacles", world.obstacle_count()},
                                  {"vertices", world.vertices().size()},
-                                 {"convex_vertices", world.convex_vertices().size()},
+                                 {"convex_vertices", world.graph_vertex_count()},
                                  {"edges", built.edge_count},
                                  {"backend", arguments.build.backend},
                                  {"builder", arguments.build.builder_name(world)},

@@ -183,6 +183,7 @@ std::unique_ptr<World::Data> World::Data::begin_change(const Data& old, const Ch
     data->history = WorldHistory();
   }
   data->origin = old.origin;
+  data->graph_vertices = std::make_unique<GraphVertices>();
   return data;
 }
 
@@ -291,13 +292,19 @@ std::vector<VertexId> World::Data::update_covered(const std::vector<Box>& places
   return doubtful;
 }
 
-void World::Data::follow(const Data& old, const VertexMap& change, const std::vector<Box>& places, VertexId same) {
-  const WorldHistory of_arrays = std::move(history);
-  const std::uint64_t stamp = next_stamp();
-  history = WorldHistory(stamp, old.history, change, {}, origin->convex);
+void World::Data::follow(const Data& old, const VertexMap& change, const std::vector<Box>& places) {
+  history = WorldHistory(next_stamp(), old.history, change, origin->convex);
   const std::vector<VertexId> flipped = update_covered(places, old, change);
-  history = WorldHistory(stamp, old.history, change, flipped, origin->convex);
-  list_convex_vertices(same, history.flipped_from(of_arrays), history.map().added_in_either(of_arrays.map()));
+  history.flip(flipped);
+  graph_vertex_count = old.graph_vertex_count - old.count_graph_vertices(change.removed());
+  graph_vertex_count += count_graph_vertices(change.added());
+  for (const VertexId v : flipped) {
+    if (!convex[v] || change.is_added(v)) continue;
+    if (covered[v])
+      --graph_vertex_count;
+    else
+      ++graph_vertex_count;
+  }
   if (!are_few(history.map().added().size(), obstacle_count())) begin_history();
 }
 
@@ -308,7 +315,6 @@ World World::with_obstacles_changed(std::span<const ObstacleId> removed, const s
   const Data::Change change(*this, removed, added);
   std::vector<Box> places;
   std::unique_ptr<Data> data = Data::begin_change(old, change, places);
-  const auto same = static_cast<VertexId>(data->vertices.size());
   data->reserve(old.vertices.size() + vertex_count_of(added));
   data->append_rest(old, change);
   require_vertex_count(data->vertices.size(), static_cast<ObstacleId>(data->boxes.size()));
@@ -319,7 +325,7 @@ World World::with_obstacles_changed(std::span<const ObstacleId> removed, const s
     data->box.extend(places.back());
   }
   data->take_keys(old, change);
-  data->follow(old, change.map, places, same);
+  data->follow(old, change.map, places);
   World world = *this;
   world.data_ = Data::shared(std::move(data));
   return world;

@@ -1,6 +1,7 @@
 #include "arcway/world.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,7 +37,8 @@ World::World(std::vector<Polygon> obstacles, std::optional<Ring> bounds) {
   data->sort_contacts();
   data->derive_edges();
   data->mark_all_covered();
-  data->list_convex_vertices();
+  data->graph_vertex_count =
+      data->count_graph_vertices(std::array{VertexRange{0, static_cast<VertexId>(vertex_count)}});
   data->begin_history();
   data_ = std::move(data);
 }
@@ -71,7 +73,7 @@ World World::from_snapshot(WorldSnapshot snapshot) {
   data->contacts = std::move(snapshot.self_contacts);
   data->sort_contacts();
   data->derive_edges();
-  data->list_convex_vertices();
+  data->graph_vertex_count = data->count_graph_vertices(std::array{VertexRange{0, n}});
   data->begin_history();
   World world(std::vector<Polygon>{});
   world.data_ = std::move(data);
@@ -116,7 +118,8 @@ ObstacleId World::obstacle_of(VertexId v) const { return data_->obstacle_of[v]; 
 bool World::is_convex(VertexId v) const { return data_->convex[v]; }
 bool World::is_covered(VertexId v) const { return data_->covered[v]; }
 bool World::is_graph_vertex(VertexId v) const { return data_->is_graph_vertex(v); }
-std::span<const VertexId> World::convex_vertices() const { return data_->convex_vertices; }
+std::span<const VertexId> World::convex_vertices() const { return data_->listed_graph_vertices(); }
+std::size_t World::graph_vertex_count() const { return data_->graph_vertex_count; }
 std::size_t World::obstacle_count() const { return data_->obstacle_count(); }
 ObstacleKey World::key_of(ObstacleId o) const { return data_->key_of(o); }
 

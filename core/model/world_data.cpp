@@ -12,34 +12,6 @@ namespace arcway {
 
 using namespace internal;
 
-namespace {
-
-// Leaves out some of a list. Both ascend.
-void leave_out(std::span<const VertexId> gone, HugeVector<VertexId>& list) {
-  if (gone.empty()) return;
-  auto from = std::ranges::lower_bound(list, gone.front()), to = from;
-  for (std::size_t i = 0; i < gone.size(); ++i) {
-    const auto end = i + 1 < gone.size() ? std::lower_bound(from, list.end(), gone[i + 1]) : list.end();
-    to = std::move(from + 1, end, to);
-    from = end;
-  }
-  list.erase(to, list.end());
-}
-
-// Puts others into a list. Both ascend.
-void put_in(std::span<const VertexId> come, HugeVector<VertexId>& list) {
-  auto end = static_cast<std::ptrdiff_t>(list.size());
-  list.resize(list.size() + come.size());
-  for (std::size_t i = come.size(); i-- > 0;) {
-    const auto at = std::lower_bound(list.begin(), list.begin() + end, come[i]) - list.begin();
-    std::move_backward(list.begin() + at, list.begin() + end, list.begin() + end + static_cast<std::ptrdiff_t>(i + 1));
-    list[static_cast<std::size_t>(at) + i] = come[i];
-    end = at;
-  }
-}
-
-}  // namespace
-
 std::uint64_t World::Data::next_stamp() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -87,7 +59,6 @@ void World::Data::reserve(std::size_t vertex_count) {
   next.reserve(vertex_count);
   previous.reserve(vertex_count);
   obstacle_of.reserve(vertex_count);
-  convex_vertices.reserve(vertex_count);
 }
 
 void World::Data::close_region(const Box& region_box) {
@@ -109,33 +80,20 @@ void World::Data::derive_edges() {
   }
 }
 
-void World::Data::list_convex_vertices(VertexId same, std::span<const VertexId> flipped,
-                                       std::span<const VertexRange> anew) {
-  convex_vertices.erase(std::ranges::lower_bound(convex_vertices, same), convex_vertices.end());
-  const auto is_anew = [&](VertexId v) {
-    const auto behind = std::ranges::upper_bound(anew, v, {}, &VertexRange::first);
-    return behind != anew.begin() && v < (behind - 1)->last;
-  };
-  std::vector<VertexId> gone, come;
-  for (const VertexId v : flipped)
-    if (v < same && convex[v] && !is_anew(v)) (covered[v] ? gone : come).push_back(v);
-  leave_out(gone, convex_vertices);
-  put_in(come, convex_vertices);
-  for (const VertexRange& range : anew) list_in_place({std::min(range.first, same), std::min(range.last, same)});
-  for (VertexId v = same; v < vertices.size(); ++v)
-    if (is_graph_vertex(v)) convex_vertices.push_back(v);
+std::span<const VertexId> World::Data::listed_graph_vertices() const {
+  std::call_once(graph_vertices->listed, [this] {
+    empty_with_memory(graph_vertices->all, graph_vertex_count);
+    for (VertexId v = 0; v < vertices.size(); ++v)
+      if (is_graph_vertex(v)) graph_vertices->all.push_back(v);
+  });
+  return graph_vertices->all;
 }
 
-void World::Data::list_in_place(VertexRange range) {
-  const auto first = std::ranges::lower_bound(convex_vertices, range.first);
-  const auto last = std::lower_bound(first, convex_vertices.end(), range.last);
-  std::vector<VertexId> now;
-  for (VertexId v = range.first; v < range.last; ++v)
-    if (is_graph_vertex(v)) now.push_back(v);
-  const auto both = std::min(last - first, static_cast<std::ptrdiff_t>(now.size()));
-  const auto end = std::copy_n(now.begin(), both, first);
-  const auto behind = convex_vertices.erase(end, last);
-  convex_vertices.insert(behind, now.begin() + both, now.end());
+std::size_t World::Data::count_graph_vertices(std::span<const VertexRange> ranges) const {
+  std::size_t count = 0;
+  for (const VertexRange& range : ranges)
+    for (VertexId v = range.first; v < range.last; ++v) count += is_graph_vertex(v) ? 1 : 0;
+  return count;
 }
 
 PointLocation World::Data::locate(const Vec2& p, ObstacleId region) const {

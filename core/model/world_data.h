@@ -41,7 +41,13 @@ struct World::Data {
   HugeVector<ObstacleId> obstacle_of;
   std::vector<bool> convex;
   std::vector<bool> covered;
-  HugeVector<VertexId> convex_vertices;
+  std::size_t graph_vertex_count = 0;
+  // Lists the graph vertices when it is first asked for them.
+  struct GraphVertices {
+    std::once_flag listed;
+    HugeVector<VertexId> all;
+  };
+  std::unique_ptr<GraphVertices> graph_vertices = std::make_unique<GraphVertices>();
   std::vector<SelfContact> contacts;            // ascending by edge
   std::vector<SelfContact> contacts_by_vertex;  // all contacts, ascending by vertex
   std::vector<VertexId> region_starts{0};       // one more than regions
@@ -72,6 +78,10 @@ struct World::Data {
   [[nodiscard]] bool is_bounds(ObstacleId region) const { return has_bounds && region + 1 == boxes.size(); }
   [[nodiscard]] ObstacleKey key_of(ObstacleId o) const { return next_key ? keys[o] : o; }
   [[nodiscard]] bool is_graph_vertex(VertexId v) const { return convex[v] && !covered[v]; }
+  /// All of them, ascending. O(vertices) the first time.
+  [[nodiscard]] std::span<const VertexId> listed_graph_vertices() const;
+  /// How many of some ranges are graph vertices.
+  [[nodiscard]] std::size_t count_graph_vertices(std::span<const VertexRange> ranges) const;
   /// The place among a region's rings, as seen from the region's side of them.
   [[nodiscard]] PointLocation side_of(PointLocation in_rings, ObstacleId region) const {
     if (!is_bounds(region) || in_rings == PointLocation::kBoundary) return in_rings;
@@ -104,13 +114,6 @@ struct World::Data {
   void sort_contacts();
   /// What follows at once from vertices and links, for all vertices that have no edges yet.
   void derive_edges();
-  /// @param same  number of first vertices for which the list is right but for some.
-  /// @param flipped  of these: to be added or left out, ascending; and perhaps others.
-  /// @param anew  ranges of these and perhaps others, ascending, of which the list knows nothing.
-  void list_convex_vertices(VertexId same = 0, std::span<const VertexId> flipped = {},
-                            std::span<const VertexRange> anew = {});
-  /// Lists the vertices of a range anew.
-  void list_in_place(VertexRange range);
 
   // Which vertices lie inside of a region.
 
@@ -172,10 +175,9 @@ struct World::Data {
   /// @param places  boxes of obstacles that were removed or added.
   /// @param change  from `old`.
   std::vector<VertexId> update_covered(const std::vector<Box>& places, const Data& old, const VertexMap& change);
-  /// Completes this after a change of another world: coverage, the list of convex vertices and the history.
+  /// Completes this after a change of another world: coverage, the number of graph vertices and the history.
   /// @param places  boxes of obstacles that were removed or added, or that only the world had whose arrays these were.
-  /// @param same  number of first vertices that were in these arrays.
-  void follow(const Data& old, const VertexMap& change, const std::vector<Box>& places, VertexId same);
+  void follow(const Data& old, const VertexMap& change, const std::vector<Box>& places);
 
   /// A number that no region and no origin has yet.
   static std::uint64_t next_stamp();

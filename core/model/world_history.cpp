@@ -6,20 +6,24 @@
 
 namespace arcway::internal {
 
-// Many parameters because each is a part of it.
 WorldHistory::WorldHistory(std::uint64_t world, const WorldHistory& before, const VertexMap& change,
-                           const std::vector<VertexId>& flipped, std::shared_ptr<const HugeVector<VertexId>> convex)
+                           std::shared_ptr<const HugeVector<VertexId>> convex)
     : origin_(before.origin_),
       world_(world),
       world_before_(before.world_),
       last_(change),
       map_(before.map_.then(change)),
-      convex_(std::move(convex)) {
+      convex_(std::move(convex)),
+      flipped_(before.flipped_) {}
+
+void WorldHistory::flip(std::span<const VertexId> flipped) {
   std::vector<VertexId> of_origin;
   for (const VertexId v : flipped)
     if (const VertexId was = map_.before(v); was != kNone) of_origin.push_back(was);
   std::ranges::sort(of_origin);
-  std::ranges::set_symmetric_difference(before.flipped_, of_origin, std::back_inserter(flipped_));
+  const std::vector<VertexId> before = std::move(flipped_);
+  flipped_.clear();
+  std::ranges::set_symmetric_difference(before, of_origin, std::back_inserter(flipped_));
 }
 
 VertexId WorldHistory::aligned_with(const WorldHistory& other) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "arcway/world.h"
@@ -11,7 +12,7 @@
 namespace arcway::internal {
 
 /// How a world came from another one, its origin, by changes: what tells the parts that two worlds of one origin have
-/// in common, in memory that depends on what has changed. Immutable.
+/// in common, in memory that depends on what has changed.
 class WorldHistory {
  public:
   /// Of no origin: has nothing in common with any.
@@ -24,14 +25,14 @@ class WorldHistory {
         world_(so_far.world_ != 0 ? so_far.world_ : origin),
         world_before_(so_far.world_before_),
         last_(so_far.last_) {}
-  /// After one more change.
+  /// After one more change, by which no vertex has become covered yet, or is covered no more.
   /// @param world  a number that no other world or origin has; not 0.
-  /// @param flipped  vertices after the change that were there before, but covered then and not now, or the other way
-  ///   round.
-  /// @param convex   convex vertices of the origin, ascending.
-  // Many parameters because each is a part of it.
+  /// @param convex  convex vertices of the origin, ascending.
   WorldHistory(std::uint64_t world, const WorldHistory& before, const VertexMap& change,
-               const std::vector<VertexId>& flipped, std::shared_ptr<const HugeVector<VertexId>> convex);
+               std::shared_ptr<const HugeVector<VertexId>> convex);
+  /// Takes note of the vertices after the last change that were there before, but covered then and not now, or the
+  /// other way round.
+  void flip(std::span<const VertexId> flipped);
 
   /// From the origin to the world.
   [[nodiscard]] const VertexMap& map() const { return map_; }

@@ -96,7 +96,7 @@ void require_preference(const ClearancePreference& preference) {
 
 PlannerOptions checked_options(const World& world, const Vehicle& vehicle, PlannerOptions options) {
   options.radii = checked_radii(world, vehicle, std::move(options.radii));
-  const bool is_large = world.convex_vertices().size() > PlannerOptions::kExactVertices;
+  const bool is_large = world.graph_vertex_count() > PlannerOptions::kExactVertices;
   const double suboptimality = options.suboptimality.value_or(is_large ? PlannerOptions::kLargeMapSuboptimality : 0.0);
   if (!(suboptimality >= 0.0 && suboptimality <= kLargestSuboptimality))
     throw std::invalid_argument("suboptimality: " + shortest_text(suboptimality) + ", must be from 0 to " +

@@ -159,8 +159,10 @@ class ARCWAY_API World {
   /// Whether v is a vertex of the reduced visibility graph: convex and not covered. Shortest paths turn at such
   /// vertices only.
   [[nodiscard]] bool is_graph_vertex(VertexId v) const;
-  /// All graph vertices, ascending.
+  /// All graph vertices, ascending. They are listed when this is first asked for: O(vertices), then O(1).
   [[nodiscard]] std::span<const VertexId> convex_vertices() const;
+  /// The number of graph vertices. O(1).
+  [[nodiscard]] std::size_t graph_vertex_count() const;
 
   /// The number of obstacles without the bounds.
   [[nodiscard]] std::size_t obstacle_count() const;

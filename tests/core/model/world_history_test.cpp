@@ -54,7 +54,10 @@ TEST(WorldHistory, TellsWhatWorldsOfOneOriginHaveInCommon) {
         }
         flipped += differing.size();
       }
-    for (const World& world : worlds) EXPECT_EQ(world.history().aligned_with(world.history()), kNone);
+    for (const World& world : worlds) {
+      EXPECT_EQ(world.history().aligned_with(world.history()), kNone);
+      EXPECT_EQ(world.graph_vertex_count(), world.convex_vertices().size());
+    }
   }
   EXPECT_GT(in_common, 5000u);
   EXPECT_GT(flipped, 500u);
