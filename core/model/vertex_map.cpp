@@ -8,6 +8,10 @@ namespace arcway::internal {
 
 namespace {
 
+bool is_same(const World::VertexRange& a, const World::VertexRange& b) {
+  return a.first == b.first && a.last == b.last;
+}
+
 void insert_ascending(const std::vector<World::VertexRange>& more, std::vector<World::VertexRange>& ranges) {
   const auto first = static_cast<std::ptrdiff_t>(ranges.size());
   ranges.insert(ranges.end(), more.begin(), more.end());
@@ -56,6 +60,8 @@ VertexId VertexMap::before(VertexId after) const {
   return added_.holds(after) ? kNone : removed_.at(added_.place_of(after));
 }
 
+bool VertexMap::keeps_numbers() const { return std::ranges::equal(removed_.all, added_.all, is_same); }
+
 VertexMap VertexMap::then(const VertexMap& next) const {
   std::vector<World::VertexRange> removed = removed_.all, removed_later, added = next.added_.all, added_before;
   for (const World::VertexRange& range : next.removed_.all)
@@ -97,9 +103,6 @@ VertexId VertexMap::aligned_with(const VertexMap& other) const {
 std::vector<World::VertexRange> VertexMap::added_in_either(const VertexMap& other) const {
   std::vector<World::VertexRange> ranges = added_.all;
   insert_ascending(other.added_.all, ranges);
-  const auto is_same = [](const World::VertexRange& a, const World::VertexRange& b) {
-    return a.first == b.first && a.last == b.last;
-  };
   ranges.erase(std::unique(ranges.begin(), ranges.end(), is_same), ranges.end());
   return ranges;
 }

@@ -25,6 +25,9 @@ class VertexMap {
   [[nodiscard]] VertexId before(VertexId after) const;
   [[nodiscard]] bool is_added(VertexId after) const { return added_.holds(after); }
 
+  /// Whether all vertices that stay keep their numbers, as added obstacles are in the places of removed ones.
+  [[nodiscard]] bool keeps_numbers() const;
+
   /// This map, followed by that of another change. What was added and removed again leaves no trace.
   [[nodiscard]] VertexMap then(const VertexMap& next) const;
 

@@ -11,6 +11,12 @@
 
 namespace arcway::internal {
 
+namespace {
+
+std::pair<VertexId, VertexId> vertices_of(const TurnCircle& circle) { return {circle.vertex, circle.second}; }
+
+}  // namespace
+
 // Which vertices share circles, and these circles. The vertices must have their own circles.
 struct TurnCircles::PairRule {
   PairRule(const TurnCircles& the_circles, const World& the_world, const CircleRadii& the_radii, const Footprint& body)
@@ -93,7 +99,7 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
   for (VertexId v = 0; v < first_.size(); ++v)
     if (number(world, v, 2 * radius_count_ * convex.size())) convex.push_back(v);
   own_count_ = 2 * radius_count_ * convex.size();
-  unused_count_ = own_count_ - 2 * radius_count_ * world.convex_vertices().size();
+  unused_count_ = own_count_ - 2 * radius_count_ * world.graph_vertex_count();
   circles_.reserve(own_count_ + own_count_ / 8);  // for those of two vertices
   circles_.resize(own_count_);
   executor.begin_stage("turn circles");
@@ -110,7 +116,9 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
   const auto leads_back = [&](VertexId u, VertexId w) { return rule.leads_back(u, w); };
   std::vector<TurnCircle> of_pairs;
   for (const auto& [u, w] : rows.pairs_within(rule.reach(), leads_back, executor)) rule.append(u, w, of_pairs);
-  add_pairs(of_pairs);
+  circles_.insert(circles_.end(), of_pairs.begin(), of_pairs.end());
+  base_count_ = first_of_gap_straights_ = circles_.size();
+  more_ = by_vertex(own_count_, base_count_);
 }
 
 TurnCircles::~TurnCircles() {
@@ -118,12 +126,6 @@ TurnCircles::~TurnCircles() {
   origin_.room->circles.swap(circles_);
   origin_.room->first.swap(first_);
   origin_.spare->give(std::move(origin_.room));
-}
-
-void TurnCircles::add_pairs(std::span<const TurnCircle> of_pairs) {
-  circles_.insert(circles_.end(), of_pairs.begin(), of_pairs.end());
-  base_count_ = first_of_gap_straights_ = circles_.size();
-  group_more();
 }
 
 bool TurnCircles::number(const World& world, VertexId v, std::size_t next) {
@@ -189,42 +191,84 @@ TurnCircles::TurnCircles(const TurnCircles& before, const VertexMap& change, con
     own.write(v, std::span(circles_).subspan(next));
   }
   own_count_ = circles_.size();
-  unused_count_ = own_count_ - 2 * radius_count_ * after.convex_vertices().size();
+  unused_count_ = own_count_ - 2 * radius_count_ * after.graph_vertex_count();
 
-  const auto may_be_other = [&](VertexId u) { return std::ranges::binary_search(may_differ, u); };
-  std::vector<TurnCircle> of_pairs = pairs_left(before, change, after);
-  std::erase_if(of_pairs, [&](const TurnCircle& c) { return may_be_other(c.vertex) && may_be_other(c.second); });
-  const auto first_new = static_cast<std::ptrdiff_t>(of_pairs.size());
+  std::vector<TurnCircle> fresh;
   const PairRule rule{*this, after, radii, grown_body};
   rule.visit_within_reach(may_differ, [&](VertexId u, VertexId w) {
-    if (rule.leads_back(u, w) && std::ranges::binary_search(rows.of(u), w)) rule.append(u, w, of_pairs);
+    if (rule.leads_back(u, w) && std::ranges::binary_search(rows.of(u), w)) rule.append(u, w, fresh);
   });
-  // Those of before ascend still.
-  const auto vertices_of = [](const TurnCircle& c) { return std::pair(c.vertex, c.second); };
-  std::ranges::stable_sort(of_pairs.begin() + first_new, of_pairs.end(), {}, vertices_of);
-  std::ranges::inplace_merge(of_pairs, of_pairs.begin() + first_new, {}, vertices_of);
-  add_pairs(of_pairs);
+  std::ranges::stable_sort(fresh, {}, vertices_of);
+  take_pairs(before, change, pairs_gone(before, change, after, may_differ), fresh);
 }
 
-std::vector<TurnCircle> TurnCircles::pairs_left(const TurnCircles& before, const VertexMap& change,
-                                                const World& after) const {
-  // To look for circles of each vertex costs most of this on large maps.
-  const WorldHistory& history = after.history();
-  const bool is_told = before.origin_.room && history.has_origin_of(before.origin_.room->history);
-  const std::vector<VertexId> flipped =
-      is_told ? history.flipped_from(before.origin_.room->history) : std::vector<VertexId>();
-  const auto is_there = [&](VertexId v) {
-    if (v == kNone) return false;
-    return is_told && !history.map().is_added(v) ? !std::ranges::binary_search(flipped, v) : has(v);
+std::vector<std::uint32_t> TurnCircles::pairs_gone(const TurnCircles& before, const VertexMap& change,
+                                                   const World& after, std::span<const VertexId> may_differ) const {
+  std::vector<std::uint32_t> gone;
+  const auto may_be_other = [&](VertexId v) { return std::ranges::binary_search(may_differ, v); };
+  const auto look_at = [&](std::uint32_t c) {
+    const VertexId v = change.after(before.circles_[c].vertex), w = change.after(before.circles_[c].second);
+    if (v == kNone || w == kNone || !has(v) || !has(w) || (may_be_other(v) && may_be_other(w))) gone.push_back(c);
   };
-  std::vector<TurnCircle> left;
-  for (std::size_t c = before.own_count_; c < before.base_count_; ++c) {
-    TurnCircle circle = before.circles_[c];
-    circle.vertex = change.after(circle.vertex);
-    circle.second = change.after(circle.second);
-    if (is_there(circle.vertex) && is_there(circle.second)) left.push_back(circle);
+  const WorldHistory& history = after.history();
+  if (!before.origin_.room || !history.has_origin_of(before.origin_.room->history)) {
+    for (auto c = static_cast<std::uint32_t>(before.own_count_); c < before.base_count_; ++c) look_at(c);
+    return gone;
   }
-  return left;
+  // Where nothing was near the change, to look for circles of each vertex costs most of it on large maps.
+  const auto look_around = [&](VertexId was) {
+    if (was == kNone) return;
+    for (const CirclesByVertex::Entry& entry : before.more_.of(was))
+      if (entry.circle < before.base_count_) look_at(entry.circle);
+  };
+  for (const World::VertexRange& range : change.removed())
+    for (VertexId v = range.first; v < range.last; ++v) look_around(v);
+  for (const VertexId v : history.flipped_from(before.origin_.room->history)) look_around(change.before(v));
+  for (const World::VertexRange& range : history.map().added())  // the history does not tell whether they flipped
+    for (VertexId v = range.first; v < range.last; ++v) look_around(change.before(v));
+  for (const VertexId v : may_differ) look_around(change.before(v));
+  std::ranges::sort(gone);
+  gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
+  return gone;
+}
+
+void TurnCircles::take_pairs(const TurnCircles& before, const VertexMap& change, std::span<const std::uint32_t> gone,
+                             std::span<const TurnCircle> fresh) {
+  const bool stay = change.keeps_numbers();
+  const auto moved = [&](VertexId v) { return stay ? v : change.after(v); };
+  std::vector<std::uint32_t> now(before.base_count_ - before.own_count_, kNone);  // number of each one of before
+  std::vector<CirclesByVertex::Entry> entries, of_fresh;
+  auto next_gone = gone.begin();
+  auto next_fresh = fresh.begin();
+  const auto append_fresh = [&] {
+    for (const VertexId v : {next_fresh->vertex, next_fresh->second})
+      of_fresh.push_back({v, static_cast<std::uint32_t>(circles_.size())});
+    circles_.push_back(*next_fresh++);
+  };
+  for (std::size_t c = before.own_count_; c < before.base_count_; ++c) {
+    if (next_gone != gone.end() && *next_gone == c) {
+      ++next_gone;
+      continue;
+    }
+    TurnCircle circle = before.circles_[c];
+    circle.vertex = moved(circle.vertex);
+    circle.second = moved(circle.second);
+    while (next_fresh != fresh.end() && vertices_of(*next_fresh) < vertices_of(circle)) append_fresh();
+    now[c - before.own_count_] = static_cast<std::uint32_t>(circles_.size());
+    circles_.push_back(circle);
+  }
+  while (next_fresh != fresh.end()) append_fresh();
+  base_count_ = first_of_gap_straights_ = circles_.size();
+
+  entries.reserve(before.more_.entries().size() + of_fresh.size());
+  for (const CirclesByVertex::Entry& entry : before.more_.entries())
+    if (entry.circle < before.base_count_ && now[entry.circle - before.own_count_] != kNone)
+      entries.push_back({moved(entry.vertex), now[entry.circle - before.own_count_]});
+  const auto first_fresh = static_cast<std::ptrdiff_t>(entries.size());
+  entries.insert(entries.end(), of_fresh.begin(), of_fresh.end());
+  std::sort(entries.begin() + first_fresh, entries.end());
+  std::inplace_merge(entries.begin(), entries.begin() + first_fresh, entries.end());
+  more_ = CirclesByVertex(std::move(entries), first_.size());
 }
 
 TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
@@ -246,37 +290,17 @@ TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
     gap_straight_.resize(circles_.size() - first_of_gap_straights_, static_cast<std::uint32_t>(gap_straights_.size()));
     gap_straights_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
   }
-  group_more();
-  beside_ = vertex_buckets(first_of_gap_straights_, circles_.size(), std::array{Side::kLeft, Side::kRight});
+  more_ = by_vertex(own_count_, first_of_gap_straights_);
+  beside_ = by_vertex(first_of_gap_straights_, circles_.size());
 }
 
-void TurnCircles::group_more() {
-  more_ = {vertex_buckets(own_count_, first_of_gap_straights_, std::array{Side::kLeft}),
-           vertex_buckets(own_count_, first_of_gap_straights_, std::array{Side::kRight})};
-}
-
-TurnCircles::VertexBuckets TurnCircles::vertex_buckets(std::size_t first, std::size_t last,
-                                                       std::span<const Side> sides) const {
-  std::vector<std::pair<VertexId, std::uint32_t>> all;
-  for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {
-    if (std::ranges::find(sides, circles_[c].side) == sides.end()) continue;
+CirclesByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last) const {
+  std::vector<CirclesByVertex::Entry> entries;
+  for (auto c = static_cast<std::uint32_t>(first); c < last; ++c)
     for (const VertexId v : {circles_[c].vertex, circles_[c].second})
-      if (v != kNone) all.emplace_back(v, c);
-  }
-  VertexBuckets result;
-  if (all.empty()) return result;
-  std::ranges::sort(all);
-  result.has_some.resize(first_.size() / 64 + 1);
-  for (const auto& [v, c] : all) {
-    if (result.vertices.empty() || result.vertices.back() != v) {
-      result.vertices.push_back(v);
-      result.starts.push_back(result.circles.size());
-      result.has_some[v / 64] |= std::uint64_t{1} << (v % 64);
-    }
-    result.circles.push_back(c);
-  }
-  result.starts.push_back(result.circles.size());
-  return result;
+      if (v != kNone) entries.push_back({v, c});
+  std::ranges::sort(entries);
+  return {std::move(entries), first_.size()};
 }
 
 }  // namespace arcway::internal

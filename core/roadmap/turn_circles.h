@@ -18,6 +18,7 @@
 #include "core/model/world_history.h"
 #include "core/roadmap/added_circles.h"
 #include "core/roadmap/circle_radii.h"
+#include "core/roadmap/circles_by_vertex.h"
 #include "core/roadmap/turn_circle.h"
 
 namespace arcway::internal {
@@ -70,7 +71,7 @@ class TurnCircles {
   void visit_around(VertexId v, Side side, Visitor&& visit) const {
     const std::uint32_t right = side == Side::kLeft ? 0 : 1;
     for (std::uint32_t k = 0; k < radius_count_; ++k) visit(first_[v] + 2 * k + right);
-    for (const std::uint32_t c : more_[right].of(v)) visit(c);
+    visit_more(v, side, visit);
   }
 
   /// The number of circles around single vertices.
@@ -82,17 +83,17 @@ class TurnCircles {
   void visit_by_first(VertexId v, Visitor&& visit) const {
     if (!has(v)) return;
     for (std::uint32_t c = first_[v]; c < first_[v] + 2 * radius_count_; ++c) visit(c);
-    for (const VertexBuckets& of_side : more_)
-      for (const std::uint32_t c : of_side.of(v))
-        if (circles_[c].vertex == v) visit(c);
-    for (const std::uint32_t c : beside_.of(v))
+    const auto visit_if_first = [&](std::uint32_t c) {
       if (circles_[c].vertex == v) visit(c);
+    };
+    for (const Side side : {Side::kLeft, Side::kRight}) visit_more(v, side, visit_if_first);
+    for (const CirclesByVertex::Entry& entry : beside_.of(v)) visit_if_first(entry.circle);
   }
   /// Calls visit(circle) for each entry of a gap straight that refers to this vertex.
   template <class Visitor>
   void visit_entries(VertexId v, Visitor&& visit) const {
-    for (const std::uint32_t c : beside_.of(v))
-      if (!is_exit(c)) visit(c);
+    for (const CirclesByVertex::Entry& entry : beside_.of(v))
+      if (!is_exit(entry.circle)) visit(entry.circle);
   }
   /// Whether a circle belongs to a gap straight, and whether it is an exit of one.
   [[nodiscard]] bool is_of_gap_straight(std::uint32_t c) const { return c >= first_of_gap_straights_; }
@@ -104,18 +105,6 @@ class TurnCircles {
   }
 
  private:
-  // Circles grouped by vertex, as a bucket index of the few vertices that have some.
-  struct VertexBuckets {
-    [[nodiscard]] std::span<const std::uint32_t> of(VertexId v) const {
-      if (has_some.empty() || (has_some[v / 64] >> (v % 64) & 1) == 0) return {};
-      const auto at = static_cast<std::size_t>(std::ranges::lower_bound(vertices, v) - vertices.begin());
-      return std::span(circles).subspan(starts[at], starts[at + 1] - starts[at]);
-    }
-    HugeVector<std::uint64_t> has_some;  // one bit a vertex; empty: none has circles
-    std::vector<VertexId> vertices;      // that have some, ascending
-    std::vector<std::size_t> starts;     // one more
-    std::vector<std::uint32_t> circles;
-  };
   struct PairRule;
   // Base circles of a world, as others of the same origin may use them again.
   struct Arrays {
@@ -142,14 +131,22 @@ class TurnCircles {
   bool exchange(const World::VertexRange& range, const OwnRule& rule);
   // Gives a vertex its number of circles, the next ones, if it is convex. Returns whether it is.
   bool number(const World& world, VertexId v, std::size_t next);
-  // Circles around two vertices that both are graph vertices after a change as well, as they are numbered then.
-  [[nodiscard]] std::vector<TurnCircle> pairs_left(const TurnCircles& before, const VertexMap& change,
-                                                   const World& after) const;
-  // Completes the base circles.
-  void add_pairs(std::span<const TurnCircle> of_pairs);
-  // Groups circles of [first, last) by the vertices that they refer to: those of some sides.
-  [[nodiscard]] VertexBuckets vertex_buckets(std::size_t first, std::size_t last, std::span<const Side> sides) const;
-  void group_more();
+  // The circles around two vertices before a change that are not there after it, or may be others, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> pairs_gone(const TurnCircles& before, const VertexMap& change,
+                                                      const World& after, std::span<const VertexId> may_differ) const;
+  // Completes the base circles after a change.
+  // @param gone   circles of before around two vertices that are left out, ascending.
+  // @param fresh  others, ascending by their vertices.
+  void take_pairs(const TurnCircles& before, const VertexMap& change, std::span<const std::uint32_t> gone,
+                  std::span<const TurnCircle> fresh);
+  // The vertices that circles of [first, last) refer to.
+  [[nodiscard]] CirclesByVertex by_vertex(std::size_t first, std::size_t last) const;
+  // Calls visit(circle) for each circle of a side around a vertex that is not its own.
+  template <class Visitor>
+  void visit_more(VertexId v, Side side, Visitor&& visit) const {
+    for (const CirclesByVertex::Entry& entry : more_.of(v))
+      if (circles_[entry.circle].side == side) visit(entry.circle);
+  }
 
   // Beyond all circles.
   static constexpr std::uint32_t kCovered = 0x80000000u;
@@ -166,9 +163,9 @@ class TurnCircles {
   std::size_t unused_count_ = 0;  // of these, around covered vertices
   Origin origin_;
   HugeVector<TurnCircle> circles_;
-  HugeVector<std::uint32_t> first_;    // of each vertex's own circles, with kCovered if it is covered; or kNone
-  std::array<VertexBuckets, 2> more_;  // left and right circles around vertices that are not a vertex's own
-  VertexBuckets beside_;               // circles of gap straights
+  HugeVector<std::uint32_t> first_;  // of each vertex's own circles, with kCovered if it is covered; or kNone
+  CirclesByVertex more_;             // circles around vertices that are not a vertex's own
+  CirclesByVertex beside_;           // circles of gap straights
   std::size_t base_count_ = 0, first_of_gap_straights_ = 0;
   std::vector<std::uint32_t> gap_straight_;  // by circle from first_of_gap_straights_ on
   std::vector<GapStraightRange> gap_straights_;

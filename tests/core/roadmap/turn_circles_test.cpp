@@ -4,16 +4,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
+#include "arcway/datasets/map_file.h"
 #include "arcway/planner.h"
 #include "arcway/visibility_graph.h"
 #include "arcway/world_change.h"
 #include "core/model/vertex_map.h"
+#include "tests/support/nasty_worlds.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -74,14 +78,44 @@ std::vector<VertexId> with_other_rows(const VisibilityRows& before, const Visibi
   return others;
 }
 
+// The circles that a search visits at a vertex, in its order.
+std::vector<std::uint32_t> visited_at(const TurnCircles& circles, VertexId v) {
+  std::vector<std::uint32_t> all;
+  const auto note = [&all](std::uint32_t c) { all.push_back(c); };
+  if (circles.has(v))
+    for (const Side side : {Side::kLeft, Side::kRight}) circles.visit_around(v, side, note);
+  circles.visit_by_first(v, note);
+  return all;
+}
+
+void expect_equal(const TurnCircles& changed, const TurnCircles& anew, const World& world) {
+  ASSERT_EQ(changed.all().size(), anew.all().size());
+  for (std::size_t c = 0; c < anew.all().size(); ++c) {
+    const TurnCircle &one = changed.all()[c], &other = anew.all()[c];
+    ASSERT_EQ(std::tie(one.vertex, one.second, one.radius, one.side),
+              std::tie(other.vertex, other.second, other.radius, other.side));
+    ASSERT_EQ(one.center, other.center);
+  }
+  for (VertexId v = 0; v < world.vertices().size(); ++v) {
+    ASSERT_EQ(changed.has(v), anew.has(v));
+    ASSERT_EQ(visited_at(changed, v), visited_at(anew, v));
+  }
+  ASSERT_EQ(changed.used_count(), anew.used_count());
+}
+
+std::ptrdiff_t count_of_pairs(const TurnCircles& circles) {
+  return std::ranges::count_if(circles.all(), [](const TurnCircle& c) { return c.second != kNone; });
+}
+
+std::shared_ptr<const VisibilityRows> reference_rows(const World& world) {
+  return rows_of(world, build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
+}
+
 // A box covers the end of a thin wall, and with it the circles around both of its corners, and goes away again: a wall
 // of the first world, and one that was added.
 TEST(TurnCircles, AreAfterChangesThoseOfTheWorld) {
   const CircleRadii radii(std::vector<double>{1.3, 2.6});
   const Footprint body = Vehicle().footprint(1e-3);
-  const auto rows_of_world = [](const World& world) {
-    return rows_of(world, build_reduced_visibility_graph(world, *make_reference_queries(world).visibility));
-  };
   const Polygon second{{{10, -20}, {10.5, -20}, {10.5, 0}, {10, 0}}, {}};
   const auto box_at = [](double x) { return Polygon{{{x - 1, -2}, {x + 2, -2}, {x + 2, 3}, {x - 1, 3}}, {}}; };
   struct Step {
@@ -92,31 +126,52 @@ TEST(TurnCircles, AreAfterChangesThoseOfTheWorld) {
   const std::vector<Step> steps{{{}, {second}, 8},    {{}, {box_at(10)}, 6},  {{2}, {}, 8},
                                 {{}, {box_at(0)}, 6}, {{2}, {box_at(10)}, 6}, {{0}, {}, 2}};
   World world = wall(0.5);
-  auto rows = rows_of_world(world);
+  auto rows = reference_rows(world);
   std::optional<TurnCircles> circles(std::in_place, world, *rows, radii, body, SerialExecutor());
   for (const Step& step : steps) {
     const World after = world.changed(step.removed, step.added);
     const VertexMap change(WorldChange::unchecked(world, after, step.removed));
-    const auto rows_after = rows_of_world(after);
+    const auto rows_after = reference_rows(after);
     TurnCircles changed(*circles, change, after, *rows_after, with_other_rows(*rows, *rows_after, after, change), radii,
                         body);
     const TurnCircles anew(after, *rows_after, radii, body, SerialExecutor());
-    ASSERT_EQ(changed.all().size(), anew.all().size());
-    for (std::size_t c = 0; c < anew.all().size(); ++c) {
-      const TurnCircle &one = changed.all()[c], &other = anew.all()[c];
-      EXPECT_EQ(std::tie(one.vertex, one.second, one.radius, one.side),
-                std::tie(other.vertex, other.second, other.radius, other.side));
-      EXPECT_EQ(one.center, other.center);
-    }
-    for (VertexId v = 0; v < after.vertices().size(); ++v) EXPECT_EQ(changed.has(v), anew.has(v));
-    EXPECT_EQ(changed.used_count(), anew.used_count());
+    expect_equal(changed, anew, after);
     EXPECT_EQ(anew.used_count(), 4 * after.convex_vertices().size() + step.pairs);
-    EXPECT_EQ(std::ranges::count_if(anew.all(), [](const TurnCircle& c) { return c.second != kNone; }),
-              static_cast<std::ptrdiff_t>(step.pairs));
+    EXPECT_EQ(count_of_pairs(anew), static_cast<std::ptrdiff_t>(step.pairs));
     circles.emplace(std::move(changed));
     world = after;
     rows = rows_after;
   }
+}
+
+// Obstacles that touch, nest and overlap come, leave and cover others, each change upon the one before.
+TEST(TurnCircles, AreAfterManyChangesThoseOfTheWorld) {
+  const CircleRadii radii(std::vector<double>{1.3});
+  const Footprint body = Vehicle().footprint(1e-3);
+  std::ptrdiff_t pairs = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomInputs random(seed);
+    World world = test::nasty_world(seed, 10);
+    auto rows = reference_rows(world);
+    std::optional<TurnCircles> circles(std::in_place, world, *rows, radii, body, SerialExecutor());
+    for (int step = 0; step < 6; ++step) {
+      std::vector<ObstacleId> removed;
+      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+        if (random.integer(0, 7) == 0) removed.push_back(o);
+      const World after = world.changed(removed, to_map_file(test::nasty_world(random.bits(), 1)).obstacles);
+      const VertexMap change(WorldChange::unchecked(world, after, removed));
+      const auto rows_after = reference_rows(after);
+      TurnCircles changed(*circles, change, after, *rows_after, with_other_rows(*rows, *rows_after, after, change),
+                          radii, body);
+      expect_equal(changed, {after, *rows_after, radii, body, SerialExecutor()}, after);
+      pairs += count_of_pairs(changed);
+      circles.emplace(std::move(changed));
+      world = after;
+      rows = rows_after;
+    }
+  }
+  EXPECT_GT(pairs, 1000);
 }
 
 // Two corridors, joined at the open end of the wall between them.
