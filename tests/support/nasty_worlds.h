@@ -106,4 +106,12 @@ inline World nasty_world(std::uint64_t seed, std::int64_t obstacles) {
   return World(std::move(polygons));
 }
 
+/// One in so many of a world's obstacles, about, ascending.
+inline std::vector<ObstacleId> draw_obstacles(const World& world, std::int64_t one_in, RandomInputs& random) {
+  std::vector<ObstacleId> drawn;
+  for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
+    if (random.integer(1, one_in) == 1) drawn.push_back(o);
+  return drawn;
+}
+
 }  // namespace arcway::internal::test

@@ -49,9 +49,7 @@ TEST(ChangedRows, AreThoseOfTheWorldAfterEachChange) {
     World world = test::nasty_world(seed + 100, 14);
     std::shared_ptr<const VisibilityRows> rows = make_lazy_rows(world);
     for (int step = 0; step < 4; ++step) {
-      std::vector<ObstacleId> removed;
-      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
-        if (random.integer(0, 5) == 0) removed.push_back(o);
+      const std::vector<ObstacleId> removed = test::draw_obstacles(world, 6, random);
       const World after = world.changed(removed, to_map_file(test::nasty_world(random.bits(), 1)).obstacles);
       const WorldChange change(world, after, removed);
       const auto changed = rows->changed(after, change, make_reference_queries(after).visibility);

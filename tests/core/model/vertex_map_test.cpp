@@ -48,9 +48,7 @@ TEST(VertexMap, IsTheTableOfAllVertices) {
     for (VertexId v = 0; v < expected.size(); ++v) expected[v] = v;
     std::optional<VertexMap> all;
     for (int step = 0; step < 5; ++step) {
-      std::vector<ObstacleId> removed;
-      for (ObstacleId o = 0; o < known.world.obstacle_count(); ++o)
-        if (random.integer(0, 3) == 0) removed.push_back(o);
+      const std::vector<ObstacleId> removed = test::draw_obstacles(known.world, 4, random);
       MappedWorld after = known;
       after.change(removed, to_map_file(test::nasty_world(random.bits(), 3)).obstacles);
       const VertexMap map(WorldChange::unchecked(known.world, after.world, removed));
@@ -112,10 +110,8 @@ TEST(VertexMap, KnowsUpToWhereTwoAreAligned) {
     test::RandomInputs random(seed);
     const World world = test::nasty_world(seed, 12);
     const auto change = [&](const World& from) {
-      std::vector<ObstacleId> removed;
+      const std::vector<ObstacleId> removed = test::draw_obstacles(from, 10, random);
       std::vector<Polygon> added;
-      for (ObstacleId o = 0; o < from.obstacle_count(); ++o)
-        if (random.integer(0, 9) == 0) removed.push_back(o);
       if (seed % 2 == 0)
         added = to_map_file(test::nasty_world(random.bits(), 3)).obstacles;
       else

@@ -12,13 +12,6 @@
 namespace arcway::internal {
 namespace {
 
-std::vector<ObstacleId> draw_obstacles(const World& world, test::RandomInputs& random) {
-  std::vector<ObstacleId> drawn;
-  for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
-    if (random.integer(0, 5) == 0) drawn.push_back(o);
-  return drawn;
-}
-
 bool are_equal(const World& a, const World& b, VertexId v) {
   return a.vertex(v) == b.vertex(v) && a.next(v) == b.next(v) && a.previous(v) == b.previous(v);
 }
@@ -36,8 +29,8 @@ TEST(WorldHistory, TellsWhatWorldsOfOneOriginHaveInCommon) {
     std::vector<World> worlds{test::nasty_world(seed, 12)};
     for (int step = 0; step < 8; ++step) {
       const World& before = worlds[static_cast<std::size_t>(random.integer(0, step))];
-      worlds.push_back(
-          before.changed(draw_obstacles(before, random), to_map_file(test::nasty_world(random.bits(), 2)).obstacles));
+      worlds.push_back(before.changed(test::draw_obstacles(before, 6, random),
+                                      to_map_file(test::nasty_world(random.bits(), 2)).obstacles));
     }
     for (const World& a : worlds)
       for (const World& b : worlds) {

@@ -94,9 +94,7 @@ TEST(ChangedWorld, IsTheOneMadeOfItsPolygons) {
     for (int step = 0; step < 8; ++step) {
       const MapFile map = to_map_file(world);
       test::KnownObstacles known(map.obstacles);
-      std::vector<ObstacleId> removed;
-      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
-        if (random.integer(0, 3) == 0) removed.push_back(o);
+      const std::vector<ObstacleId> removed = test::draw_obstacles(world, 4, random);
       const std::vector<Polygon> added = to_map_file(test::nasty_world(random.bits(), 4)).obstacles;
       known.change(removed, added);
       world = world.changed(removed, added);

@@ -34,9 +34,7 @@ TEST(ConvexVertices, AreThoseOfTheWorld) {
         EXPECT_EQ(index, listed.size());
         changed += of_origin ? 1 : 0;
       }
-      std::vector<ObstacleId> removed;
-      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
-        if (random.integer(0, 5) == 0) removed.push_back(o);
+      const std::vector<ObstacleId> removed = test::draw_obstacles(world, 6, random);
       world = world.changed(removed, to_map_file(test::nasty_world(random.bits(), 2)).obstacles);
     }
   }

@@ -156,9 +156,7 @@ TEST(TurnCircles, AreAfterManyChangesThoseOfTheWorld) {
     auto rows = reference_rows(world);
     std::optional<TurnCircles> circles(std::in_place, world, *rows, radii, body, SerialExecutor());
     for (int step = 0; step < 6; ++step) {
-      std::vector<ObstacleId> removed;
-      for (ObstacleId o = 0; o < world.obstacle_count(); ++o)
-        if (random.integer(0, 7) == 0) removed.push_back(o);
+      const std::vector<ObstacleId> removed = test::draw_obstacles(world, 8, random);
       const World after = world.changed(removed, to_map_file(test::nasty_world(random.bits(), 1)).obstacles);
       const VertexMap change(WorldChange::unchecked(world, after, removed));
       const auto rows_after = reference_rows(after);
