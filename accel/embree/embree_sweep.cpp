@@ -96,10 +96,11 @@ bool EmbreeSweep::find_headings(const TurningBody& body, std::size_t most_edges,
   const std::span<const LineSegment> edges = scenes_->world().edges();
   const double reach = reach_of(body);
   std::size_t count = 0;
+  EdgeContacts contacts(body);
   blocked.clear();
   scenes_->visibility.edges().visit_near(body.center, reach, [&](VertexId e) {
     if (++count > most_edges) return -1.0;
-    if (may_touch(body, edges[e])) append_blocked_headings(body, edges[e], blocked);
+    if (contacts.may_touch(edges[e])) contacts.append_blocked(edges[e], blocked);
     return reach;
   });
   if (count > most_edges) return false;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "arcway/angle.h"
-#include "core/collision/turning_headings.h"
 
 namespace arcway::internal {
 
@@ -38,6 +37,7 @@ Box swept_box(const TurningBody& t, double half) {
 
 HeadingRange::HeadingRange(const TurningBody& body, double low, double angle, Memory& memory)
     : body_(body),
+      contacts_(body),
       low_(low),
       angle_(angle),
       along_(direction_of(low + 0.5 * angle)),
@@ -60,14 +60,14 @@ bool HeadingRange::is_near(const LineSegment& edge) const {
   const Vec2 p = edge.a - body_.center, q = edge.b - body_.center;
   const Vec2 a(along_.dot(p), cross(along_, p)), b(along_.dot(q), cross(along_, q));
   return std::max(a.x(), b.x()) >= box_.min.x() && std::min(a.x(), b.x()) <= box_.max.x() &&
-         std::max(a.y(), b.y()) >= box_.min.y() && std::min(a.y(), b.y()) <= box_.max.y() && may_touch(body_, edge);
+         std::max(a.y(), b.y()) >= box_.min.y() && std::min(a.y(), b.y()) <= box_.max.y() && contacts_.may_touch(edge);
 }
 
 bool HeadingRange::add(const LineSegment& edge) {
   if (!is_near(edge)) return is_clear_;
   std::vector<HeadingInterval>& blocked = memory_.blocked;
   const std::size_t known = blocked.size();
-  append_blocked_headings(body_, edge, blocked);
+  contacts_.append_blocked(edge, blocked);
   for (std::size_t i = known; i < blocked.size(); ++i) {
     const double from = wrap_positive(blocked[i].low - low_), to = from + (blocked[i].high - blocked[i].low);
     if (from < angle_ - kDoubt || to > kTwoPi + kDoubt) is_clear_ = false;

@@ -5,6 +5,7 @@
 #include "arcway/heading_set.h"
 #include "arcway/sweep_query.h"
 #include "arcway/vec2.h"
+#include "core/collision/turning_headings.h"
 
 namespace arcway::internal {
 
@@ -41,6 +42,7 @@ class HeadingRange {
   [[nodiscard]] bool is_near(const LineSegment& edge) const;
 
   const TurningBody& body_;
+  EdgeContacts contacts_;
   double low_, angle_;
   Vec2 along_;  // axis of the box below, from the center
   Box box_;     // around the swept area, in the frame of the center and that axis, with a slack

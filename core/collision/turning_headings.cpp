@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,10 +15,7 @@ namespace arcway::internal {
 
 namespace {
 
-// The body about the rotation center, at heading 0.
-struct CenteredBody {
-  double x_low, x_high, y_low, y_high;
-};
+using CenteredBody = EdgeContacts::CenteredBody;
 
 CenteredBody centered(const TurningBody& t) {
   const double y = -sign_of(t.side) * t.radius;
@@ -27,6 +25,9 @@ CenteredBody centered(const TurningBody& t) {
 class CriticalAngles {
  public:
   void add(double angle) { angles_[count_++] = wrap_positive(angle); }
+  void add_wrapped(std::span<const double> angles) {
+    for (const double angle : angles) angles_[count_++] = angle;
+  }
   [[nodiscard]] std::span<double> sorted() {
     std::sort(angles_.begin(), angles_.begin() + count_);
     return {angles_.data(),
@@ -38,7 +39,10 @@ class CriticalAngles {
   std::ptrdiff_t count_ = 0;
 };
 
-void add_corner_contacts(const Vec2& corner, const Vec2& p, const Vec2& q, CriticalAngles& angles) {
+// @param corner_angle  that of the corner about the center, if it is known yet [rad].
+void add_corner_contacts(const Vec2& corner, std::optional<double>& corner_angle, const LineSegment& edge,
+                         CriticalAngles& angles) {
+  const auto& [p, q] = edge;
   const Vec2 d = q - p;
   const double dd = d.squaredNorm();
   const double along = -p.dot(d) / dd;
@@ -48,31 +52,36 @@ void add_corner_contacts(const Vec2& corner, const Vec2& p, const Vec2& q, Criti
   const double half = std::sqrt(std::max(rest, 0.0) / dd);
   const auto is_on_edge = [](double t) { return t >= -kCriticalSlack && t <= 1.0 + kCriticalSlack; };
   if (!is_on_edge(along - half) && !is_on_edge(along + half)) return;
-  const double corner_angle = std::atan2(corner.y(), corner.x());
+  if (!corner_angle) corner_angle = std::atan2(corner.y(), corner.x());
   for (const double t : {along - half, along + half}) {
     if (!is_on_edge(t)) continue;
     const Vec2 x = p + t * d;
-    angles.add(std::atan2(x.y(), x.x()) - corner_angle);
+    angles.add(std::atan2(x.y(), x.x()) - *corner_angle);
   }
 }
 
-void add_end_contacts(const Vec2& p, const CenteredBody& b, CriticalAngles& angles) {
+// At most 4 sides meet an end, each twice.
+std::size_t find_end_contacts(const Vec2& p, const CenteredBody& b, std::array<double, 8>& angles) {
   const double rr = p.squaredNorm();
   const double slack = kCriticalSlack * (rr + 1e-300);
   const double reach = kCriticalSlack * std::sqrt(rr);
   const double angle = std::atan2(p.y(), p.x());
+  std::size_t count = 0;
   for (const double y : {b.y_low, b.y_high}) {
     if (rr - y * y < -slack) continue;
     const double x = std::sqrt(std::max(rr - y * y, 0.0));
     for (const double side : {-x, x})
-      if (side >= b.x_low - reach && side <= b.x_high + reach) angles.add(angle - std::atan2(y, side));
+      if (side >= b.x_low - reach && side <= b.x_high + reach)
+        angles[count++] = wrap_positive(angle - std::atan2(y, side));
   }
   for (const double x : {b.x_low, b.x_high}) {
     if (rr - x * x < -slack) continue;
     const double y = std::sqrt(std::max(rr - x * x, 0.0));
     for (const double side : {-y, y})
-      if (side >= b.y_low - reach && side <= b.y_high + reach) angles.add(angle - std::atan2(side, x));
+      if (side >= b.y_low - reach && side <= b.y_high + reach)
+        angles[count++] = wrap_positive(angle - std::atan2(side, x));
   }
+  return count;
 }
 
 bool touches(const CenteredBody& b, const Vec2& p, const Vec2& q, double heading) {
@@ -116,40 +125,60 @@ double reach_of(const TurningBody& body) {
   return swept_annulus(body.body, body.side, body.radius).outer * (1.0 + kCriticalSlack);
 }
 
-bool may_touch(const TurningBody& body, const LineSegment& edge) {
+EdgeContacts::EdgeContacts(const TurningBody& body) : body_(body), centered_(centered(body)) {
   const SweptAnnulus annulus = swept_annulus(body.body, body.side, body.radius);
-  const Vec2 p = edge.a - body.center;
-  const Vec2 q = edge.b - body.center;
-  const double inner = annulus.inner * (1.0 - kCriticalSlack);
-  if (std::max(p.squaredNorm(), q.squaredNorm()) < inner * inner) return false;
-  const Vec2 d = q - p;
-  const double t = std::clamp(-p.dot(d) / d.squaredNorm(), 0.0, 1.0);
-  const double outer = reach_of(body);
-  return (p + t * d).squaredNorm() <= outer * outer;
+  const double inner = annulus.inner * (1.0 - kCriticalSlack), outer = annulus.outer * (1.0 + kCriticalSlack);
+  inner_square_ = inner * inner;
+  outer_square_ = outer * outer;
 }
 
-void append_blocked_headings(const TurningBody& body, const LineSegment& edge, std::vector<HeadingInterval>& blocked) {
-  const Vec2 p = edge.a - body.center;
-  const Vec2 q = edge.b - body.center;
-  if (body.body.shape != nullptr) return append_blocked_by_shape(body, {p, q}, blocked);
-  const CenteredBody b = centered(body);
+bool EdgeContacts::may_touch(const LineSegment& edge) const {
+  const Vec2 p = edge.a - body_.center;
+  const Vec2 q = edge.b - body_.center;
+  if (std::max(p.squaredNorm(), q.squaredNorm()) < inner_square_) return false;
+  const Vec2 d = q - p;
+  const double t = std::clamp(-p.dot(d) / d.squaredNorm(), 0.0, 1.0);
+  return (p + t * d).squaredNorm() <= outer_square_;
+}
+
+const EdgeContacts::End& EdgeContacts::end_at(const Vec2& p) {
+  for (const End& end : ends_)
+    if (end.place == p) return end;
+  End& end = ends_[next_end_++ % ends_.size()];
+  end.place = p;
+  end.count = find_end_contacts(p, centered_, end.angles);
+  return end;
+}
+
+void EdgeContacts::append_blocked(const LineSegment& edge, std::vector<HeadingInterval>& blocked) {
+  const LineSegment about{edge.a - body_.center, edge.b - body_.center};
+  if (body_.body.shape != nullptr) return append_blocked_by_shape(body_, about, blocked);
+  const CenteredBody& b = centered_;
   CriticalAngles critical;
-  for (const Vec2& corner :
-       {Vec2(b.x_low, b.y_low), Vec2(b.x_high, b.y_low), Vec2(b.x_high, b.y_high), Vec2(b.x_low, b.y_high)})
-    add_corner_contacts(corner, p, q, critical);
-  add_end_contacts(p, b, critical);
-  add_end_contacts(q, b, critical);
+  const std::array corners{Vec2(b.x_low, b.y_low), Vec2(b.x_high, b.y_low), Vec2(b.x_high, b.y_high),
+                           Vec2(b.x_low, b.y_high)};
+  for (std::size_t i = 0; i < corners.size(); ++i) add_corner_contacts(corners[i], corner_angles_[i], about, critical);
+  for (const Vec2& p : {about.a, about.b}) {
+    const End& end = end_at(p);
+    critical.add_wrapped({end.angles.data(), end.count});
+  }
 
   const std::span<double> angles = critical.sorted();
   if (angles.empty()) {
-    if (touches(b, p, q, 0.0)) blocked.push_back({0.0, kTwoPi});
+    if (touches(b, about.a, about.b, 0.0)) blocked.push_back({0.0, kTwoPi});
     return;
   }
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const double low = angles[i];
     const double high = i + 1 < angles.size() ? angles[i + 1] : angles[0] + kTwoPi;
-    if (touches(b, p, q, 0.5 * (low + high))) blocked.push_back({low, high});
+    if (touches(b, about.a, about.b, 0.5 * (low + high))) blocked.push_back({low, high});
   }
+}
+
+bool may_touch(const TurningBody& body, const LineSegment& edge) { return EdgeContacts(body).may_touch(edge); }
+
+void append_blocked_headings(const TurningBody& body, const LineSegment& edge, std::vector<HeadingInterval>& blocked) {
+  EdgeContacts(body).append_blocked(edge, blocked);
 }
 
 }  // namespace arcway::internal

@@ -64,15 +64,15 @@ class Flood {
       if (clock.is_over()) return End::kTooMany;
       const FloodBox box = boxes[open.top().second];
       open.pop();
+      // Most boxes of an open place are never taken out, so that none is tested before.
+      if (!is_free(box)) continue;
       reach_ = std::max(reach_, (center_of(box).position() - from_.position()).norm());
       if (box.x == goal.x && box.y == goal.y && box.heading == goal.heading) return End::kOpen;
       for (const FloodBox& next : neighbors(box)) {
         if (!seen.insert(key_of(next)).second) continue;
         if (seen.size() > max_boxes) return End::kTooMany;
-        const Pose center = center_of(next);
-        if (!sweep_.straight_free(swept_rectangle(center, 0.0, core_))) continue;
         boxes.push_back(next);
-        open.push({(center.position() - to_.position()).squaredNorm(), boxes.size() - 1});
+        open.push({(center_of(next).position() - to_.position()).squaredNorm(), boxes.size() - 1});
       }
     }
     reach_ += edge_;
@@ -84,6 +84,11 @@ class Flood {
  private:
   [[nodiscard]] Pose center_of(const FloodBox& box) const {
     return {from_.x + edge_ * box.x, from_.y + edge_ * box.y, from_.heading + kTwoPi * box.heading / headings_};
+  }
+  // Not asked about the first box: the end itself is free.
+  [[nodiscard]] bool is_free(const FloodBox& box) const {
+    const bool is_first = box.x == 0 && box.y == 0 && box.heading == 0;
+    return is_first || sweep_.straight_free(swept_rectangle(center_of(box), 0.0, core_));
   }
   [[nodiscard]] FloodBox box_of(const Pose& pose) const {
     const auto index = [this](double d) { return static_cast<std::int32_t>(std::lround(d / edge_)); };

@@ -46,6 +46,17 @@ SignedParts parts_of(std::optional<double> first, double second, double third, d
   return std::array{*first, second, third, fourth, *last};
 }
 
+// Rounding of lengths, in radii: what is longer than another length by less than this may also be shorter.
+constexpr double kLengthSlack = 1e-8;
+
+/// The least sum of two turns, each within [0, pi], that make an angle together.
+double least_sum(double angle) {
+  const double turn = wrap_signed(angle);
+  return turn < -kLengthSlack ? turn + kTwoPi : std::abs(turn);
+}
+/// The least sum of two turns, each within [0, pi], whose difference is an angle.
+double least_apart(double angle) { return std::abs(wrap_signed(angle)); }
+
 using Target = ReedsSheppTarget;
 
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
@@ -53,7 +64,7 @@ double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 /// (8.1). Where an arc vanishes up to rounding, the other one makes the whole turn; so in (8.2).
 SignedParts left_straight_left(const Target& g, double most) {
   const double u = g.left_distance();
-  if (u + std::abs(g.heading()) > most) return std::nullopt;
+  if (u + least_sum(g.heading()) > most) return std::nullopt;
   if (g.to_left().isZero(kWordRounding)) return parts_of(0.0, u, 0.0, 0.0, ahead(g.heading()));
   const double rounding = rounding_of_line(u, 1.0);
   const auto first = ahead(g.left_direction(), rounding);
@@ -78,9 +89,11 @@ SignedParts left_straight_right(const Target& g, double most) {
 
 /// (8.3), (8.4): the last arc forwards or backwards.
 SignedParts left_right_left(const Target& g, bool last_ahead, double most) {
-  if (g.left_distance() > 4.0 * (1.0 + kWordRounding)) return std::nullopt;
+  const double distance = g.left_distance();
+  if (distance > 4.0 * (1.0 + kWordRounding) || 0.5 * distance > most) return std::nullopt;
   const double u = g.left_bend();
-  if (-u > most) return std::nullopt;
+  const double bend = g.heading() + u;
+  if ((last_ahead ? least_sum(bend) : least_apart(bend)) - u > most) return std::nullopt;
   const auto first = ahead(g.left_direction() + 0.5 * u + kPi);
   if (!first) return std::nullopt;
   const double last = g.heading() - *first + u;
@@ -104,7 +117,7 @@ SignedParts left_right_cusp_left_right(const Target& g, double most) {
   const double rho = 0.25 * (2.0 + c.norm());
   if (rho > 1.0 + kWordRounding) return std::nullopt;
   const double u = std::acos(std::min(1.0, rho));
-  if (2.0 * u > most) return std::nullopt;
+  if (2.0 * u + least_sum(g.heading() + 2.0 * u) > most) return std::nullopt;
   const auto [first, last] = outer_arcs(u, -u, c, g.heading());
   return parts_of(ahead(first), u, -u, 0.0, back(last));
 }
@@ -115,7 +128,7 @@ SignedParts left_cusp_right_left_cusp_right(const Target& g, double most) {
   const double rho = (20.0 - c.squaredNorm()) / 16.0;
   if (rho < -kWordRounding || rho > 1.0 + kWordRounding) return std::nullopt;
   const double u = -std::acos(std::clamp(rho, 0.0, 1.0));
-  if (-2.0 * u > most) return std::nullopt;
+  if (std::abs(g.heading()) - 2.0 * u > most) return std::nullopt;
   const auto [first, last] = outer_arcs(u, u, c, g.heading());
   return parts_of(ahead(first), u, u, 0.0, ahead(last));
 }
@@ -125,7 +138,7 @@ SignedParts left_right_straight_left(const Target& g, double most) {
   const double square = g.to_left().squaredNorm() - 4.0;
   if (square < -kWordRounding) return std::nullopt;
   const double r = std::sqrt(std::max(0.0, square));
-  if (2.0 - r > kWordRounding || kQuarter + r - 2.0 > most) return std::nullopt;
+  if (2.0 - r > kWordRounding || kQuarter + r - 2.0 + least_apart(g.heading() - kQuarter) > most) return std::nullopt;
   const auto first = ahead(g.left_direction() + std::atan2(r, -2.0));
   return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - r), 0.0, back(g.heading() - kQuarter - *first))
                : std::nullopt;
@@ -135,7 +148,7 @@ SignedParts left_right_straight_left(const Target& g, double most) {
 SignedParts left_right_straight_right(const Target& g, double most) {
   const Vec2& c = g.to_right();
   const double rho = c.norm();
-  if (rho < 2.0 - kWordRounding || kQuarter + rho - 2.0 > most) return std::nullopt;
+  if (rho < 2.0 - kWordRounding || kQuarter + rho - 2.0 + least_sum(g.heading() - kQuarter) > most) return std::nullopt;
   const auto first = ahead(std::atan2(c.x(), -c.y()));
   return first ? parts_of(first, -kQuarter, std::min(0.0, 2.0 - rho), 0.0, back(*first + kQuarter - g.heading()))
                : std::nullopt;
@@ -147,7 +160,7 @@ SignedParts left_right_straight_left_right(const Target& g, double most) {
   const double square = c.squaredNorm() - 4.0;
   if (square < 0.0) return std::nullopt;
   const double u = 4.0 - std::sqrt(square);
-  if (u > kWordRounding || kPi - u > most) return std::nullopt;
+  if (u > kWordRounding || kPi - u + std::abs(g.heading()) > most) return std::nullopt;
   const auto first = ahead(std::atan2((4.0 - u) * c.x() - 2.0 * c.y(), -2.0 * c.x() + (u - 4.0) * c.y()));
   return first ? parts_of(first, -kQuarter, std::min(0.0, u), -kQuarter, ahead(*first - g.heading())) : std::nullopt;
 }
@@ -177,15 +190,18 @@ struct Word {
   Form form;
   bool flip, mirror, from_end;
 };
-Word word_of(std::size_t index) {
+constexpr Word word_of(std::size_t index) {
   const std::size_t symmetric = 4 * kSymmetric.size();
   const std::size_t code = index < symmetric ? index % 4 : (index - symmetric) % 8;
   const Form& form = index < symmetric ? kSymmetric[index / 4] : kDirected[(index - symmetric) / 8];
   return {form, (code & 1) != 0, (code & 2) != 0, (code & 4) != 0};
 }
 
-// Rounding of lengths, in radii: what is longer than another length by less than this may also be shorter.
-constexpr double kLengthSlack = 1e-8;
+constexpr std::array<Word, kReedsSheppWords> kWords = [] {
+  std::array<Word, kReedsSheppWords> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = word_of(i);
+  return words;
+}();
 
 /// The number of a view of the goal: that of a word.
 std::size_t view_of(const Word& word) {
@@ -235,9 +251,9 @@ ReedsSheppWords::ReedsSheppWords(const Pose& start, const Pose& goal, double rad
   }
 }
 
-std::optional<ReedsSheppWords::Solution> ReedsSheppWords::solve(std::size_t index, double most) const {
-  const Word word = word_of(index);
-  const SignedParts parts = word.form.solve(views_[view_of(word)], most / radius_ + kLengthSlack);
+std::optional<ReedsSheppWords::Solution> ReedsSheppWords::solve(std::size_t index) const {
+  const Word& word = kWords[index];
+  const SignedParts parts = word.form.solve(views_[view_of(word)], kInfinity);
   if (!parts) return std::nullopt;
   Solution solution{{}, word.form.letters.size()};
   for (std::size_t i = 0; i < solution.count; ++i) {
@@ -249,16 +265,22 @@ std::optional<ReedsSheppWords::Solution> ReedsSheppWords::solve(std::size_t inde
   return solution;
 }
 
-double ReedsSheppWords::length(std::size_t word, double most) const {
-  const auto solution = solve(word, most);
-  if (!solution) return kInfinity;
+double ReedsSheppWords::length(std::size_t index, double most) const {
+  const Word& word = kWords[index];
+  const SignedParts parts = word.form.solve(views_[view_of(word)], most / radius_ + kLengthSlack);
+  if (!parts) return kInfinity;
+  // Parts that a word does not have are zero. They are added in the order of the letters.
   double length = 0.0;
-  for (std::size_t i = 0; i < solution->count; ++i) length += std::abs(solution->letters[i].length);
+  if (word.from_end) {
+    for (std::size_t i = parts->size(); i-- > 0;) length += std::abs((*parts)[i]);
+  } else {
+    for (const double part : *parts) length += std::abs(part);
+  }
   return radius_ * length;
 }
 
 std::optional<Path> ReedsSheppWords::path(std::size_t word) const {
-  const auto solution = solve(word, kInfinity);
+  const auto solution = solve(word);
   if (!solution) return std::nullopt;
   Path path;
   path.reserve(solution->count);

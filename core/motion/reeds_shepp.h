@@ -56,7 +56,7 @@ class ReedsSheppWords {
     std::array<Letter, 5> letters;
     std::size_t count;
   };
-  [[nodiscard]] std::optional<Solution> solve(std::size_t word, double most) const;
+  [[nodiscard]] std::optional<Solution> solve(std::size_t word) const;
 
   Pose start_;
   double radius_;

@@ -105,7 +105,7 @@ struct GrowTrees {
   On on;
   double share;  ///< of PlanLimits::tree_poses
   std::span<const TreePass> passes;
-  bool explores_surroundings;  ///< of both ends first: kSurroundingsEffort
+  bool explores_surroundings;  ///< of the ends, where a tree runs dry: kSurroundingsEffort
   bool only_in_the_open;       ///< not if the trees before found an end in a dead end
   std::uint32_t shortenings;   ///< trials of shortening the path, as a multiple of those of refinement
   bool only_faster = false;    ///< paths that are not faster than the best one, even before refinement, are refused

@@ -44,18 +44,17 @@ class TreeSearch {
         contact_(*map_.outlines, map_.body, map_.one_way_zones.get()) {}
 
   void run() {
-    std::span<const TreePass> passes = limits_.passes;
-    if (limits_.surroundings_effort) {
-      end_.surroundings = explore_both_surroundings();
-      if (end_.surroundings == Surroundings::kClosed || interrupted()) return;
-      if (end_.surroundings == Surroundings::kDeadEnd) passes = limits_.dead_end_passes;
-    }
     fields_ = {field(kGoalEnd), field(kStartEnd)};
-    for (const TreePass& pass : passes) {
+    std::span<const TreePass> passes = limits_.passes;
+    while (!passes.empty()) {
+      const TreePass& pass = passes.front();
+      passes = passes.subspan(1);
       if (pass.heeds_turns && !std::exchange(heed_turns_, true))
         for (RouteField& field : fields_) field.heed_turns(radii_.smaller(), options_.clock);
+      const bool was_explored = is_explored();
       grow(pass);
-      if (result_.path || result_.interrupted) return;
+      if (result_.path || result_.interrupted || end_.surroundings == Surroundings::kClosed) return;
+      if (!was_explored && end_.surroundings == Surroundings::kDeadEnd) passes = limits_.dead_end_passes;
     }
   }
 
@@ -71,19 +70,24 @@ class TreeSearch {
   // A route to a pose, backwards, is one from the pose turned round.
   static Pose turned_round(const Pose& pose) { return {pose.x, pose.y, pose.heading + kPi}; }
 
-  // What trees of each end alone find around the end that is in more trouble.
-  Surroundings explore_both_surroundings() {
-    Surroundings worst = Surroundings::kOpen;
+  [[nodiscard]] bool is_explored() const { return is_explored_ || !limits_.surroundings_effort; }
+
+  // Explores the surroundings of the ends whose trees have not left them, once. Returns whether the trees may go on
+  // growing. Where they find a path, that is soon in most cases, and the surroundings need not be known.
+  bool explore(const std::array<Side, 2>& sides) {
+    if (is_explored()) return true;
+    is_explored_ = true;
     for (const std::size_t at : {kStartEnd, kGoalEnd}) {
+      if (sides[at].tree.extent() >= dead_end_radius(map_)) continue;
       const ExploredSurroundings found =
           explore_surroundings(map_, roots_[at], direction_at(at), *limits_.surroundings_effort, options_.clock);
       end_.poses += found.poses;
-      worst = std::max(worst, found.surroundings);
+      end_.surroundings = std::max(end_.surroundings, found.surroundings);
       if (found.surroundings != Surroundings::kClosed) continue;
       (at == kStartEnd ? end_.start_in_dead_end : end_.goal_in_dead_end) = end_.ran_dry = true;
       break;
     }
-    return worst;
+    return end_.surroundings == Surroundings::kOpen;
   }
 
   [[nodiscard]] RouteField field(std::size_t to) const {
@@ -122,12 +126,14 @@ class TreeSearch {
       if (dry[at]) continue;
       const auto node = sides[at].tree.expand();
       if (!node) {
+        if (!explore(sides)) return;
         dry[at] = true;
         // The other tree may still come near, but not by growing all over the map.
         most = std::min(most, limits_.effort.after_dry * (i + 1));
         continue;
       }
       ++end_.poses;
+      ++grown_;
       join(sides, at, *node);
       if (!result_.path && i + 1 >= next_roadmap) {
         join_roadmap(sides);
@@ -135,6 +141,7 @@ class TreeSearch {
       }
       if (result_.path) return;
     }
+    if (interrupted() || !explore(sides)) return;
     const double dead_end = dead_end_radius(map_);
     end_.start_in_dead_end = sides[kStartEnd].tree.extent() < dead_end;
     end_.goal_in_dead_end = sides[kGoalEnd].tree.extent() < dead_end;
@@ -202,14 +209,14 @@ class TreeSearch {
       result_.path = std::move(path);
       return true;
     }
-    if (end_.poses < next_asked_) return false;
+    if (grown_ < next_asked_) return false;
     const double length = length_of(path);
     if (std::ranges::any_of(refused_, [&](double known) { return std::abs(length - known) <= kSameLength * known; }))
       return false;
     result_.path = limits_.accept(path);
     if (result_.path) return true;
     refused_.push_back(length);
-    next_asked_ = end_.poses + limits_.effort.refused_poses * ++end_.refused;
+    next_asked_ = grown_ + limits_.effort.refused_poses * ++end_.refused;
     return false;
   }
 
@@ -268,7 +275,9 @@ class TreeSearch {
   SearchResult& result_;
   SideRadii radii_;
   double body_length_;
-  std::size_t next_asked_ = 0;   // number of poses before which no path is offered to `accept`
+  bool is_explored_ = false;     // the surroundings of both ends
+  std::size_t grown_ = 0;        // poses of the trees
+  std::size_t next_asked_ = 0;   // number of these before which no path is offered to `accept`
   std::vector<double> refused_;  // lengths of the paths that were refused [m]
   ContactReach contact_;
   std::vector<RouteField> fields_;  // by end: routes to the other one

@@ -17,9 +17,10 @@ struct TreeLimits {
   std::size_t poses;  ///< number of poses grown in all, O(edges near by) each; fewer where those are very many
   std::span<const TreePass> passes;
   TreeEffort effort;
-  /// The surroundings of both ends are explored first, with this effort. Null: they are not.
+  /// The surroundings of the ends are explored with this effort where a tree runs dry, or a pass finds no path. Null:
+  /// they are not.
   const SurroundingsEffort* surroundings_effort = nullptr;
-  std::span<const TreePass> dead_end_passes = {};  ///< taken instead of `passes` if an end lies in a dead end
+  std::span<const TreePass> dead_end_passes = {};  ///< taken instead of the other passes if an end lies in a dead end
   /// Makes the wanted path of one that is found, or refuses it by returning nothing; the search then continues. Empty:
   /// any path will do.
   std::function<std::optional<Path>(const Path&)> accept = {};
@@ -46,9 +47,9 @@ struct TreesEnd {
 /// Finds a path of a vehicle that does not reverse, where start, goal or gaps are too narrow for the roadmap. Two trees
 /// of poses grow from start and goal in turn, guided by the routes through gaps that are wide enough. New poses are
 /// joined to near poses of the other tree by biarcs and Dubins words, and now and then to the roadmap. Passes tell
-/// poses apart more and more finely. A search may first explore the surroundings of each end, and ends early if one of
-/// them is closed (surroundings.h). Paths are checked exactly. As the number of poses is limited, finding no path
-/// proves nothing. A path is free, but seldom the fastest. Deterministic unless interrupted.
+/// poses apart more and more finely. Where a tree runs dry, a search may explore the surroundings of the ends, and
+/// ends early if one of them is closed (surroundings.h). Paths are checked exactly. As the number of poses is limited,
+/// finding no path proves nothing. A path is free, but seldom the fastest. Deterministic unless interrupted.
 /// @param end  receives how the trees ended.
 FoundPath search_trees(const TreeQuery& query, const SearchOptions& options, ArrivalSearch& arrivals, TreesEnd& end);
 

@@ -1,6 +1,9 @@
+#include "core/collision/turning_headings.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "accel/backend/make_queries.h"
 #include "arcway/angle.h"
@@ -92,6 +95,35 @@ TEST(FreeHeadings, OutsideTheBoundsNothingIsFree) {
   const QuerySet queries = make_reference_queries(world);
   EXPECT_TRUE(queries.sweep->free_headings(TurningBody{{30, 30}, 2.0, Side::kLeft, Vehicle{}.footprint()}).empty());
   EXPECT_TRUE(queries.sweep->free_headings(TurningBody{{5, 5}, 2.0, Side::kLeft, Vehicle{}.footprint()}).is_full());
+}
+
+// Contacts of ends that edges share are found once.
+TEST(EdgeContacts, HaveTheBitsOfEachEdgeAlone) {
+  test::RandomInputs random(12);
+  std::size_t found = 0;
+  for (int i = 0; i < 300; ++i) {
+    const TurningBody body{random.point(-1.0, 1.0), random.uniform(0.3, 4.0), i % 2 == 0 ? Side::kLeft : Side::kRight,
+                           i % 4 < 2 ? kUneven : kBeside};
+    std::vector<Vec2> places(7);
+    for (Vec2& place : places) place = random.point(-5.0, 5.0);
+    EdgeContacts contacts(body);
+    for (int k = 0; k < 40; ++k) {
+      const LineSegment edge{places[static_cast<std::size_t>(random.integer(0, 6))],
+                             k % 5 == 0 ? random.point(-5.0, 5.0) : places[static_cast<std::size_t>(k % 7)]};
+      if (edge.a == edge.b) continue;
+      EXPECT_EQ(contacts.may_touch(edge), may_touch(body, edge));
+      std::vector<HeadingInterval> together, alone;
+      contacts.append_blocked(edge, together);
+      append_blocked_headings(body, edge, alone);
+      ASSERT_EQ(together.size(), alone.size()) << i << ' ' << k;
+      for (std::size_t n = 0; n < alone.size(); ++n) {
+        EXPECT_EQ(together[n].low, alone[n].low) << i << ' ' << k;
+        EXPECT_EQ(together[n].high, alone[n].high) << i << ' ' << k;
+      }
+      found += alone.size();
+    }
+  }
+  EXPECT_GT(found, 1000u);
 }
 
 }  // namespace

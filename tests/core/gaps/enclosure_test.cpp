@@ -7,6 +7,7 @@
 #include "arcway/datasets/random_queries.h"
 #include "arcway/planner.h"
 #include "tests/support/boxes.h"
+#include "tests/support/counting_sweep.h"
 #include "tests/support/plans.h"
 
 namespace arcway::internal {
@@ -65,6 +66,17 @@ TEST(Enclosure, IsNotProvedOfAShortBodyThatTurnsInItsPlace) {
   const PlanResult plan = planner.plan({.start = start, .goal = goal, .reverse = true});
   ASSERT_TRUE(plan.solved()) << plan.reason;
   test::expect_valid(planner, plan, true);
+}
+
+// In the open, the way to the other end is a row of boxes: their neighbors are not tested.
+TEST(Enclosure, TestsOnlyBoxesOnTheWay) {
+  const World world({box(-30, -30, -29, 30)});
+  const Vehicle vehicle;
+  const test::CountingSweep sweep(world);
+  EXPECT_FALSE(find_enclosure({0, 0, 0}, {10, 0, 0}, {vehicle.footprint(), sweep}, kBoxes));
+  // Boxes are a quarter of the body's width long, and both ends are looked from with boxes of four sizes.
+  const double smallest = vehicle.footprint().width() / 4.0 / 8.0;
+  EXPECT_LT(static_cast<double>(sweep.asked()), 2.0 * 4.0 * 1.2 * 10.0 / smallest);
 }
 
 TEST(Enclosure, IsNotProvedWhereThereIsAPath) {

@@ -110,7 +110,9 @@ TEST(ReedsShepp, FindsWordsUpToALength) {
   std::size_t longer = 0, left_out = 0;
   for (int round = 0; round < 1000; ++round) {
     const Pose start{100.0 + place(random), place(random), angle(random)};
-    const Pose goal{100.0 + place(random), place(random), angle(random)};
+    // Some headings differ by quarters of a turn, where arcs vanish.
+    const double heading = round % 4 == 0 ? start.heading + kQuarter * std::floor(0.25 * (round % 16)) : angle(random);
+    const Pose goal{100.0 + place(random), place(random), heading};
     const double radius = size(random);
     const ReedsSheppWords words(start, goal, radius);
     const double shortest = reeds_shepp_distance(start, goal, radius);
@@ -125,7 +127,7 @@ TEST(ReedsShepp, FindsWordsUpToALength) {
       left_out += std::isinf(found) ? 1u : 0u;
     }
   }
-  EXPECT_GT(20 * left_out, longer);
+  EXPECT_GT(2 * left_out, longer);
 }
 
 TEST(ReedsShepp, EveryWordEndsAtTheGoal) {

@@ -133,5 +133,46 @@ TEST(TreeSearch, OffersNoPathTwice) {
       EXPECT_GT(std::abs(offered[i] - offered[k]), 1e-9 * offered[k]) << i << ' ' << k;
 }
 
+// The end of a search between two poses of a world, and its path.
+struct Trees {
+  TreesEnd end;
+  std::optional<Path> path;
+};
+Trees grown(const World& world, const Pose& start, const Pose& goal, const SurroundingsEffort* effort) {
+  const Vehicle vehicle;
+  const Roadmap map = test::lazy_map(world, vehicle);
+  const TreeLimits limits{.poses = 4000,
+                          .passes = std::span(kTreePasses).first<1>(),
+                          .effort = kTreeEffort,
+                          .surroundings_effort = effort,
+                          .dead_end_passes = kDeadEndPasses};
+  ArrivalSearch arrivals;
+  Trees trees;
+  trees.path = search_trees({map, start, goal, limits}, {}, arrivals, trees.end).search.path;
+  return trees;
+}
+
+// Where trees find a path, nothing else grows.
+TEST(TreeSearch, ExploresNoSurroundingsOfAPath) {
+  const World lane({test::box(-2.0, 0.402, 14.0, 2.0), test::box(-2.0, -2.0, 14.0, -0.402)});
+  const Pose start{0.0, 0.0, 0.0}, goal{12.0, 0.0, 0.0};
+  const Trees alone = grown(lane, start, goal, nullptr), exploring = grown(lane, start, goal, &kSurroundingsEffort);
+  ASSERT_TRUE(alone.path && exploring.path);
+  EXPECT_EQ(exploring.end.poses, alone.end.poses);
+  EXPECT_EQ(length_of(*exploring.path), length_of(*alone.path));
+}
+
+// The tree of the end that is shut in has no more poses. The other one need not grow on.
+TEST(TreeSearch, ExploresSurroundingsWhereATreeRunsDry) {
+  const World wall({test::box(1.6, -40.0, 2.6, 40.0)});
+  const Pose shut_in{0.0, 0.0, 0.0}, outside{40.0, 60.0, 0.0};
+  const Trees trees = grown(wall, shut_in, outside, &kSurroundingsEffort);
+  EXPECT_FALSE(trees.path);
+  EXPECT_EQ(trees.end.surroundings, Surroundings::kClosed);
+  EXPECT_TRUE(trees.end.ran_dry && trees.end.start_in_dead_end);
+  EXPECT_FALSE(trees.end.goal_in_dead_end);
+  EXPECT_EQ(grown(wall, shut_in, outside, nullptr).end.surroundings, Surroundings::kOpen);
+}
+
 }  // namespace
 }  // namespace arcway::internal
