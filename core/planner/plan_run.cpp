@@ -67,6 +67,8 @@ bool PlanRun::holds(Known known) const {
       return has_path();
     case Known::kForwardPath:
       return has_forward_path();
+    case Known::kByManeuvers:
+      return has_forward_path() && fastest_.poses > 0;
     case Known::kPathElsewhere:
       return has_forward_path() && query_.maps.tightest && maps_ != &*query_.maps.tightest;
     case Known::kNarrowPath:

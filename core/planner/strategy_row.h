@@ -24,6 +24,7 @@ enum class Known {
   kNoPath,         ///< no path at all
   kPath,           ///< some path
   kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
+  kByManeuvers,    ///< such a path, found on the roadmap in use by maneuvers at both ends
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
   kNarrowPath,     ///< only a path of trees for narrow places, which know little of cost
   kGearChanges     ///< only a path with changes of gear

@@ -24,6 +24,8 @@ const char* text_of(Known known) {
       return "a path";
     case Known::kForwardPath:
       return "a forward path";
+    case Known::kByManeuvers:
+      return "a forward path by maneuvers";
     case Known::kPathElsewhere:
       return "a forward path, none of the tightest radii";
     case Known::kNarrowPath:
