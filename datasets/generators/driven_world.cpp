@@ -177,13 +177,15 @@ void add_walls(Scene& scene, Eigen::Index axis) {
   const auto room = [&] {  // never so large that no wall is left
     return std::min(scene.random.uniform(kSmallestRoom, kLargestRoom) * scene.body.length, 0.5 * across);
   };
-  for (double at = scene.box.min[axis] + room(); at < scene.box.max[axis]; at += room()) {
+  double at = scene.box.min[axis] + room();
+  while (at < scene.box.max[axis]) {
     add_clear_runs(scene, static_cast<std::size_t>(std::ceil(side / piece)), [&](std::size_t from, std::size_t to) {
       Vec2 low, high;
       low[axis] = at, high[axis] = at + thickness;
       low[along] = begin + piece * static_cast<double>(from), high[along] = begin + piece * static_cast<double>(to);
       return detail::box_ring(low.x(), low.y(), high.x(), high.y());
     });
+    at += room();
   }
 }
 
