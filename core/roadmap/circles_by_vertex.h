@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,7 +18,8 @@ class CirclesByVertex {
   struct Entry {
     VertexId vertex;
     std::uint32_t circle;
-    friend auto operator<=>(const Entry&, const Entry&) = default;
+    /// What entries are ordered by.
+    [[nodiscard]] std::pair<VertexId, std::uint32_t> key() const { return {vertex, circle}; }
   };
 
   /// No circles.

@@ -266,8 +266,8 @@ void TurnCircles::take_pairs(const TurnCircles& before, const VertexMap& change,
       entries.push_back({moved(entry.vertex), now[entry.circle - before.own_count_]});
   const auto first_fresh = static_cast<std::ptrdiff_t>(entries.size());
   entries.insert(entries.end(), of_fresh.begin(), of_fresh.end());
-  std::sort(entries.begin() + first_fresh, entries.end());
-  std::inplace_merge(entries.begin(), entries.begin() + first_fresh, entries.end());
+  std::ranges::sort(entries.begin() + first_fresh, entries.end(), {}, &CirclesByVertex::Entry::key);
+  std::ranges::inplace_merge(entries, entries.begin() + first_fresh, {}, &CirclesByVertex::Entry::key);
   more_ = CirclesByVertex(std::move(entries), first_.size());
 }
 
@@ -299,7 +299,7 @@ CirclesByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last) cons
   for (auto c = static_cast<std::uint32_t>(first); c < last; ++c)
     for (const VertexId v : {circles_[c].vertex, circles_[c].second})
       if (v != kNone) entries.push_back({v, c});
-  std::ranges::sort(entries);
+  std::ranges::sort(entries, {}, &CirclesByVertex::Entry::key);
   return {std::move(entries), first_.size()};
 }
 
