@@ -278,10 +278,8 @@ struct KnownWorld {
 };
 
 KnownWorld changed_at_random(const KnownWorld& from, test::RandomInputs& random) {
-  std::vector<ObstacleId> removed;
   const std::vector<Polygon> added = to_map_file(test::nasty_world(random.bits(), 2)).obstacles;
-  for (ObstacleId o = 0; o < from.obstacles.all().size(); ++o)
-    if (random.integer(0, 5) == 0) removed.push_back(o);
+  const std::vector<ObstacleId> removed = test::draw_obstacles(from.world, 6, random);
   KnownWorld after = from;
   after.world = from.world.changed(removed, added);
   after.obstacles.change(removed, added);
