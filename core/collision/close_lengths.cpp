@@ -80,11 +80,12 @@ double CloseLengths::close_angle(const TurningBody& turning, double heading, dou
 std::vector<HeadingInterval> CloseLengths::headings_near(const TurningBody& turning, const Vec2& place,
                                                          double reach) const {
   const Box around = Box{place, place}.grown(reach);
+  EdgeContacts contacts(turning);
   std::vector<HeadingInterval> headings;
   visit_edges(
       *outlines_, [&](const Box& box) { return around.overlaps(box); },
       [&](const LineSegment& edge) {
-        if (may_touch(turning, edge)) append_blocked_headings(turning, edge, headings);
+        if (contacts.may_touch(edge)) contacts.append_blocked(edge, headings);
       });
   return headings;
 }

@@ -31,8 +31,9 @@ void WalledSweep::do_free_headings(std::span<const TurningBody> bodies, std::spa
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (result[i].empty()) continue;
     blocked.clear();
+    EdgeContacts contacts(bodies[i]);
     for (const LineSegment& wall : walls_)
-      if (may_touch(bodies[i], wall)) append_blocked_headings(bodies[i], wall, blocked);
+      if (contacts.may_touch(wall)) contacts.append_blocked(wall, blocked);
     remove_headings(blocked, result[i]);
   }
 }
