@@ -237,7 +237,7 @@ void TurnCircles::take_pairs(const TurnCircles& before, const VertexMap& change,
   const bool stay = change.keeps_numbers();
   const auto moved = [&](VertexId v) { return stay ? v : change.after(v); };
   std::vector<std::uint32_t> now(before.base_count_ - before.own_count_, kNone);  // number of each one of before
-  std::vector<CirclesByVertex::Entry> entries, of_fresh;
+  std::vector<CirclesByVertex::Entry> of_fresh;
   auto next_gone = gone.begin();
   auto next_fresh = fresh.begin();
   const auto append_fresh = [&] {
@@ -260,6 +260,7 @@ void TurnCircles::take_pairs(const TurnCircles& before, const VertexMap& change,
   while (next_fresh != fresh.end()) append_fresh();
   base_count_ = first_of_gap_straights_ = circles_.size();
 
+  std::vector<CirclesByVertex::Entry> entries;
   entries.reserve(before.more_.entries().size() + of_fresh.size());
   for (const CirclesByVertex::Entry& entry : before.more_.entries())
     if (entry.circle < before.base_count_ && now[entry.circle - before.own_count_] != kNone)
