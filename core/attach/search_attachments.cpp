@@ -58,7 +58,7 @@ void SearchAttachments::forget_times() {
 
 void SearchAttachments::warm_up(std::size_t circles) {
   forget();
-  first_goal_link_.reset(circles);
+  first_goal_link_.warm_up(circles);
 }
 
 bool SearchAttachments::are_first_of(const SearchContext& context) const {

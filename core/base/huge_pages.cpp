@@ -43,7 +43,8 @@ void tell(std::ptrdiff_t bytes) {
 
 bool is_mapped(std::size_t length) { return length >= kHugePage; }
 
-// The unaligned ends are given back.
+// The unaligned ends are given back. The first part is in small pages: searches take memory for more than most of them
+// need, and to clear one huge page takes as long as a short search.
 void* map(std::size_t length) {
   void* const mapped = mmap(nullptr, length + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapped == MAP_FAILED) throw std::bad_alloc();
@@ -51,7 +52,7 @@ void* map(std::size_t length) {
   const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(mapped) % kHugePage) % kHugePage;
   if (before > 0) munmap(begin, before);
   munmap(begin + before + length, kHugePage - before);
-  madvise(begin + before, length, MADV_HUGEPAGE);
+  if (length > kHugePage) madvise(begin + before + kHugePage, length - kHugePage, MADV_HUGEPAGE);
   tell(static_cast<std::ptrdiff_t>(length));
   return begin + before;
 }

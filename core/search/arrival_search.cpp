@@ -682,7 +682,7 @@ void ArrivalSearch::warm_up(std::size_t circles) {
   memory_->times.warm_up(many);
   empty_with_memory(memory_->steps, many);
   empty_with_memory(memory_->labels, many);
-  memory_->first_label.reset(circles);
+  memory_->first_label.warm_up(circles);
   memory_->attachments.warm_up(circles);
 }
 

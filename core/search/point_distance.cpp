@@ -50,10 +50,10 @@ class TautTurn {
 
 void PointDistance::Workspace::reset(std::size_t vertices) {
   open_.clear();
-  if (reached_.size() < vertices) reached_.resize(vertices, {0.0, kNone, 0});
+  reached_.make_room(vertices);
   search_ += 2;
   if (search_ == 0) {
-    std::fill(reached_.begin(), reached_.end(), Reached{0.0, kNone, 0});
+    reached_.clear();
     search_ = 2;
   }
 }
@@ -93,7 +93,7 @@ void PointDistance::prefetch_next(const Workspace& w) const {
   for (const Workspace::Entry& next : w.open_.first_few(kNextPoints)) {
     if (next.vertex == kNone) continue;
     will_need(&world_.vertices()[next.vertex]);
-    will_need(&w.reached_[next.vertex]);
+    if (const Workspace::Reached* const reached = w.reached_.find(next.vertex)) will_need(reached);
     rows_->prefetch(next.vertex);
   }
 }

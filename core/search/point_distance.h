@@ -9,8 +9,8 @@
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
 #include "core/attach/occlusion_horizon.h"
-#include "core/base/huge_pages.h"
 #include "core/base/open_list.h"
+#include "core/base/paged_array.h"
 #include "core/model/outlines.h"
 
 namespace arcway::internal {
@@ -40,15 +40,15 @@ class PointDistance {
       friend bool before(const Entry& a, const Entry& b) { return a.estimate < b.estimate; }
     };
     struct Reached {
-      double length;       ///< of the shortest path known
-      VertexId parent;     ///< vertex before this one on that path; kNone: the start itself
-      std::uint32_t mark;  ///< the last search that came here, one more once that path is the shortest of all
+      double length = 0.0;      ///< of the shortest path known
+      VertexId parent = kNone;  ///< vertex before this one on that path; kNone: the start itself
+      std::uint32_t mark = 0;   ///< the last search that came here, one more once that path is the shortest of all
     };
     void reset(std::size_t vertices);
     Reached& at(VertexId vertex);
 
     OpenList<Entry> open_;
-    HugeVector<Reached> reached_;  // by vertex
+    PagedArray<Reached> reached_;  // by vertex
     std::uint32_t search_ = 0;     // even
   };
 
