@@ -45,17 +45,18 @@ class CircleLinks {
         from_start_(end.direction == Direction::kFromStart),
         own_(own),
         limit_(limit),
+        ticker_(end.clock),
         is_limited_(limit.length < std::numeric_limits<double>::infinity()),
         longest_(longest_way(limit, own.circle)),
         horizon_(circle_away(own.circle, from_start_), from_start_ ? own.heading : own.heading + kPi, own.reach) {}
 
-  // Pieces of outline that no nearer one hides. If their circles are more than the limit allows, the nearest come
-  // first.
+  // Pieces of outline that no nearer one hides, unless the clock is over. If their circles are more than the limit
+  // allows, the nearest come first.
   void find_pieces(std::vector<std::uint32_t>& pieces) {
     const bool body_covers_reference = map_.body.covers_reference();
     std::size_t circles = 0;
     map_.places->visit_near_first(
-        own_.circle.center, [&](const Box& box) { return !is_far(box) && !horizon_.hides(box); },
+        own_.circle.center, [&](const Box& box) { return !ticker_.is_over() && !is_far(box) && !horizon_.hides(box); },
         [&](const Outlines::Piece& piece, std::uint32_t index) {
           if (body_covers_reference) horizon_.shorten(piece.points, piece.box);
           pieces.push_back(index);
@@ -109,6 +110,7 @@ class CircleLinks {
   bool from_start_;
   const AttachmentCircle& own_;
   const LengthLimit& limit_;
+  StopTicker ticker_;
   bool is_limited_;
   double longest_;  // way between the other end and the circle's center [m]
   OcclusionHorizon horizon_;
@@ -122,9 +124,9 @@ bool is_beyond(const LengthLimit& limit, const TurnCircle& own, const TurnCircle
 }
 
 void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachment> attachments, std::size_t first,
-                                     std::vector<AttachmentCircle>& circles, const StopClock& clock) {
+                                     std::vector<AttachmentCircle>& circles) {
   const Roadmap& map = end.map;
-  for (auto t = static_cast<std::uint32_t>(first); t < attachments.size() && !clock.is_over(); ++t) {
+  for (auto t = static_cast<std::uint32_t>(first); t < attachments.size() && !end.clock.is_over(); ++t) {
     // Maneuvers join by the smallest radius only: they serve narrow places, and their poses are many.
     const bool plain = attachments[t].connection.empty();
     const std::size_t radii = plain ? std::min(end.radii, map.radii.size()) : 1;
@@ -143,23 +145,25 @@ void AttachmentLinks::append_circles(const PathEnd& end, std::span<const Attachm
   }
 }
 
-void AttachmentLinks::append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
+bool AttachmentLinks::append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
                                    const LengthLimit& limit, HugeVector<AttachmentLink>& links) {
-  if (circles[index].reach < 0.0) return;
+  if (circles[index].reach < 0.0) return true;
   CircleLinks own(end, circles[index], limit);
   pieces_.clear();
   own.find_pieces(pieces_);
   const std::size_t first = links.size();
   for (const std::uint32_t piece : pieces_) {
-    if (links.size() - first >= limit.most_links) break;
+    if (links.size() - first >= limit.most_links || end.clock.is_over()) break;
     own.visit_links(piece, [&](std::uint32_t circle, const Bitangent& line, double turn) {
       links.push_back({index, circle, line, turn});
     });
   }
-  links.resize(first + std::min(links.size() - first, limit.most_links));
+  const bool is_cut = end.clock.is_over();
+  links.resize(first + (is_cut ? 0 : std::min(links.size() - first, limit.most_links)));
   // The order does not depend on that of the pieces.
   std::sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(),
             [](const AttachmentLink& a, const AttachmentLink& b) { return a.circle < b.circle; });
+  return !is_cut;
 }
 
 }  // namespace arcway::internal

@@ -63,6 +63,7 @@ struct PathEnd {
   const Roadmap& map;
   Direction direction;
   std::size_t radii = std::numeric_limits<std::size_t>::max();  ///< of its circles, from the smallest on
+  StopClock clock = {};                                         ///< may end the finding of circles and straights
 };
 
 /// Finds circles and straights by which attachments join the roadmap. Memory is kept for the next call.
@@ -70,15 +71,16 @@ class AttachmentLinks {
  public:
   /// Appends the circles of all attachments from `first` on: left and right ones of the end's radii, or of the smallest
   /// radius for attachments with a connection. Radii below an attachment's tightest one are replaced by that. Circles
-  /// that another attachment has too are left out. O(attachments * radii) heading sets.
-  /// @param clock  may end that before all attachments have their circles.
+  /// that another attachment has too are left out. If the clock is over before, some attachments have none.
+  /// O(attachments * radii) heading sets.
   void append_circles(const PathEnd& end, std::span<const Attachment> attachments, std::size_t first,
-                      std::vector<AttachmentCircle>& circles, const StopClock& clock = {});
+                      std::vector<AttachmentCircle>& circles);
 
   /// Appends the straights between circles[index] and the roadmap. Those are left out that are certainly blocked, or on
   /// no path within the limit. Only circles at pieces of outline that nearer ones do not hide are examined. Of more
   /// straights than the limit allows, those to the nearest pieces are kept.
-  void append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
+  /// @return false, and none is appended, if the clock is over before all are found.
+  bool append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
                     const LengthLimit& limit, HugeVector<AttachmentLink>& links);
 
  private:

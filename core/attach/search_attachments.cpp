@@ -77,9 +77,9 @@ void SearchAttachments::begin(SearchContext& context) {
 
   const StopClock& clock = context.options.clock;
   const std::size_t radii = context.options.end_radii;
-  links_.append_circles({context.map, Direction::kFromStart, radii}, context.starts, known_starts, start_circles_,
-                        clock);
-  links_.append_circles({context.map, Direction::kToGoal, radii}, context.goals, known_goals, goal_circles_, clock);
+  links_.append_circles({context.map, Direction::kFromStart, radii, clock}, context.starts, known_starts,
+                        start_circles_);
+  links_.append_circles({context.map, Direction::kToGoal, radii, clock}, context.goals, known_goals, goal_circles_);
   const std::size_t new_starts = start_circles_.size() - first_start_circle;
   const std::size_t new_goals = goal_circles_.size() - first_goal_circle;
   context.result.counts.turns_checked += new_starts + new_goals;
@@ -154,12 +154,12 @@ bool SearchAttachments::is_free(const PathSegment& segment) {
 SearchAttachments::Range SearchAttachments::links_from(std::uint32_t start_circle) {
   Range& range = start_link_ranges_[start_circle];
   if (range.first == kNone) {
-    range.first = static_cast<std::uint32_t>(start_links_.size());
+    const auto first = static_cast<std::uint32_t>(start_links_.size());
     const Attachment& start = context_->starts[start_circles_[start_circle].attachment];
     const LengthLimit limit{context_->goal, longest_path_ - length_of(start.connection),
                             start.connection.empty() ? kUnlimited : most_start_links_};
-    append_links(Direction::kFromStart, start_circle, limit, start_links_);
-    range.last = static_cast<std::uint32_t>(start_links_.size());
+    if (append_links(Direction::kFromStart, start_circle, limit, start_links_))
+      range = {first, static_cast<std::uint32_t>(start_links_.size())};
   }
   return range;
 }
@@ -170,21 +170,25 @@ void SearchAttachments::add_goal_links(std::uint32_t goal_circle) {
                           goal.connection.empty() ? kUnlimited : most_goal_links_};
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
-  append_links(Direction::kToGoal, goal_circle, limit, found_);
+  if (!append_links(Direction::kToGoal, goal_circle, limit, found_)) return;
   for (const AttachmentLink& link : found_) {
     goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
   }
 }
 
-void SearchAttachments::append_links(Direction direction, std::uint32_t circle, const LengthLimit& limit,
+bool SearchAttachments::append_links(Direction direction, std::uint32_t circle, const LengthLimit& limit,
                                      HugeVector<AttachmentLink>& links) {
-  const PathEnd end{context_->map, direction};
+  const PathEnd end{.map = context_->map, .direction = direction, .clock = context_->options.clock};
   const auto& circles = direction == Direction::kFromStart ? start_circles_ : goal_circles_;
-  if (known_links_.append(end, circles[circle], limit, circle, links)) return;
+  if (known_links_.append(end, circles[circle], limit, circle, links)) return true;
   const std::size_t first = links.size();
-  links_.append_links(end, circles, circle, limit, links);
+  if (!links_.append_links(end, circles, circle, limit, links)) {
+    context_->result.interrupted = true;
+    return false;
+  }
   known_links_.keep(end, circles[circle], limit, links, first);
+  return true;
 }
 
 bool SearchAttachments::is_free(GoalLink& goal) {

@@ -54,7 +54,7 @@ class SearchAttachments {
   struct Range {
     std::uint32_t first = kNone, last = kNone;
   };
-  /// The links that leave a start circle, found by the first call.
+  /// The links that leave a start circle, found by the first call. None if the clock is over before they are found.
   Range links_from(std::uint32_t start_circle);
   [[nodiscard]] const AttachmentLink& start_link(std::uint32_t index) const { return start_links_[index]; }
 
@@ -80,8 +80,8 @@ class SearchAttachments {
   void try_direct(std::uint32_t start, std::uint32_t goal, const SideRadii& radii, DubinsWord word);
   bool is_free(const PathSegment& segment);
   void add_goal_links(std::uint32_t goal_circle);
-  // Appends the links of a circle, known ones if there are some.
-  void append_links(Direction direction, std::uint32_t circle, const LengthLimit& limit,
+  // Appends the links of a circle, known ones if there are some. False if the clock is over before they are found.
+  bool append_links(Direction direction, std::uint32_t circle, const LengthLimit& limit,
                     HugeVector<AttachmentLink>& links);
 
   SearchContext* context_ = nullptr;

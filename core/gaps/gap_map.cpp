@@ -31,15 +31,19 @@ class EdgePieces {
     Box box;
   };
 
-  explicit EdgePieces(const World& world) : edges_(world.edges()) {
+  EdgePieces(const World& world, const StopClock& clock) : edges_(world.edges()) {
+    StopTicker ticker(clock);
     for (ObstacleId region = 0; region < world.region_count(); ++region) {
       const auto [first, last] = world.vertices_of(region);
-      for (VertexId begin = first; begin < last; begin += kMostEdges) add(begin, std::min(begin + kMostEdges, last));
+      for (VertexId begin = first; begin < last; begin += kMostEdges) {
+        end_if_over(ticker);
+        add(begin, std::min(begin + kMostEdges, last));
+      }
     }
     std::vector<Box> boxes;
     boxes.reserve(pieces_.size());
     for (const Piece& piece : pieces_) boxes.push_back(piece.box);
-    tree_ = BoxTree(boxes);
+    tree_ = BoxTree(boxes, clock);
   }
 
   // Calls visit(a, b) once for any two edges a < b whose boxes are near each other. It goes place by place, so that
@@ -167,9 +171,12 @@ class ParityForest {
   std::vector<std::uint8_t> odd_;  // the way to the parent
 };
 
-double room_around(const World& world, const Vec2& p) {
+double room_around(const World& world, const Vec2& p, StopTicker& ticker) {
   double least = std::numeric_limits<double>::infinity();
-  for (const LineSegment& edge : world.edges()) least = std::min(least, distance(p, edge));
+  for (const LineSegment& edge : world.edges()) {
+    end_if_over(ticker);
+    least = std::min(least, distance(p, edge));
+  }
   return 2.0 * least;
 }
 
@@ -177,7 +184,7 @@ double room_around(const World& world, const Vec2& p) {
 
 GapMap::GapMap(const World& world, double widest, const StopClock& clock) : world_(world) {
   const std::span<const LineSegment> edges = world.edges();
-  const EdgePieces pieces(world);
+  const EdgePieces pieces(world, clock);
   StopTicker ticker(clock);
   pieces.visit_pairs(widest, ticker, [&](VertexId a, VertexId b) {
     end_if_over(ticker);
@@ -186,7 +193,8 @@ GapMap::GapMap(const World& world, double widest, const StopClock& clock) : worl
     const Gap gap{pair.distance, a, b, pair.a, pair.b};
     if (gap.width <= widest && !is_divided(world, pieces, gap)) gaps_.push_back(gap);
   });
-  std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) {
+  std::sort(gaps_.begin(), gaps_.end(), [&ticker](const Gap& a, const Gap& b) {
+    end_if_over(ticker);
     return std::tie(a.width, a.edge_a, a.edge_b) < std::tie(b.width, b.edge_a, b.edge_b);
   });
 }
@@ -201,7 +209,7 @@ std::optional<Gap> GapMap::bottleneck(const Vec2& from, const Vec2& to, const St
     const auto& [a, b] = world_.edges()[v];
     if (!forest.join(v, world_.next(v), parting.is_odd({a, b}))) return Gap{0.0, v, world_.next(v), b, b};
   }
-  const double room = std::min(room_around(world_, from), room_around(world_, to));
+  const double room = std::min(room_around(world_, from, ticker), room_around(world_, to, ticker));
   for (const Gap& gap : gaps_) {
     end_if_over(ticker);
     if (gap.width >= room) break;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "arcway/executor.h"
+
 namespace arcway::internal {
 namespace {
 
@@ -13,14 +15,16 @@ constexpr double kMuchFurther = 4.0;
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> boxes) {
+BoxTree::BoxTree(std::span<const Box> boxes, const StopClock& clock) {
   items_.reserve(boxes.size());
   for (const Box& box : boxes) items_.push_back({box, static_cast<std::uint32_t>(items_.size())});
   nodes_.reserve(boxes.size() + 1);
-  if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()));
+  StopTicker ticker(clock);
+  if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()), ticker);
 }
 
-void BoxTree::build(std::uint32_t first, std::uint32_t last) {
+void BoxTree::build(std::uint32_t first, std::uint32_t last, StopTicker& ticker) {
+  end_if_over(ticker);
   Box box, middles;  // the latter doubled
   for (std::uint32_t i = first; i < last; ++i) {
     box.extend(items_[i].box);
@@ -42,8 +46,8 @@ void BoxTree::build(std::uint32_t first, std::uint32_t last) {
   };
   const std::uint32_t middle = first + (last - first) / 2;
   std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last, before);
-  build(first, middle);
-  build(middle, last);
+  build(first, middle, ticker);
+  build(middle, last, ticker);
   nodes_[node].skip = static_cast<std::uint32_t>(nodes_.size());
 }
 

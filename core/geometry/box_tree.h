@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "arcway/stop_clock.h"
 #include "arcway/vec2.h"
 #include "core/base/huge_pages.h"
 
@@ -22,7 +23,8 @@ class BoxTree {
  public:
   BoxTree() = default;
   /// @param boxes  of items 0, 1, ...; not empty, fewer than 2^31. They are copied.
-  explicit BoxTree(std::span<const Box> boxes);
+  /// @throws Canceled if the clock is over before the tree is built.
+  explicit BoxTree(std::span<const Box> boxes, const StopClock& clock = {});
 
   /// A tree of as many other boxes, divided like this one: good for boxes that lie much as these. O(n).
   [[nodiscard]] BoxTree with_boxes(std::span<const Box> boxes) const;
@@ -92,7 +94,7 @@ class BoxTree {
     Box box;
     std::uint32_t index;
   };
-  void build(std::uint32_t first, std::uint32_t last);
+  void build(std::uint32_t first, std::uint32_t last, StopTicker& ticker);
 
   HugeVector<Node> nodes_;
   HugeVector<Item> items_;

@@ -90,6 +90,21 @@ TEST_F(KnownLinksTest, AreThoseOfTheSameGraph) {
   EXPECT_EQ(known_.size(), 2U);
 }
 
+TEST_F(KnownLinksTest, AreNotFoundInPart) {
+  const Links all = found(map_, Direction::kFromStart);
+  ASSERT_GT(all.size(), 0U);
+  Links links = all;
+  const std::vector<AttachmentCircle> circles{circle(map_, Direction::kFromStart)};
+  const auto append_until = [&](const StopClock& clock) {
+    return links_.append_links({.map = map_, .direction = Direction::kFromStart, .clock = clock}, circles, 0,
+                               limit(Direction::kFromStart), links);
+  };
+  EXPECT_FALSE(append_until(StopClock(0.0)));
+  EXPECT_EQ(links.size(), all.size());
+  EXPECT_TRUE(append_until(StopClock(3600.0)));
+  EXPECT_EQ(links.size(), 2 * all.size());
+}
+
 TEST_F(KnownLinksTest, OfFewerRadiiAreAPartOfThem) {
   known_.begin();
   for (const Direction direction : {Direction::kFromStart, Direction::kToGoal}) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "arcway/executor.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -111,6 +112,12 @@ TEST(BoxTree, StopsWhenTold) {
   EXPECT_FALSE(BoxTree(boxes).visit_overlaps(boxes[0], [&](std::uint32_t) { return ++visits < 3; }));
   EXPECT_EQ(visits, 3);
   EXPECT_TRUE(BoxTree(boxes).visit_overlaps(Box{}, [](std::uint32_t) { return false; }));
+}
+
+TEST(BoxTree, IsNotBuiltOnceTheClockIsOver) {
+  const std::vector<Box> boxes(1000, Box{{0, 0}, {1, 1}});
+  EXPECT_THROW(BoxTree(boxes, StopClock(0.0)), Canceled);
+  EXPECT_EQ(BoxTree(boxes, StopClock(3600.0)).size(), boxes.size());
 }
 
 TEST(BoxTree, VisitsWhatIsNearEarly) {

@@ -631,6 +631,38 @@ TEST(ArrivalSearch, GoesOnOnlyFromAPartOfItself) {
   EXPECT_GT(solved, 40);
 }
 
+// The clock ends searches wherever they are, also while they look for the links of a circle.
+TEST(ArrivalSearch, FindsAfterACutWhatASearchAnewFinds) {
+  const World world =
+      random_world({.kind = ClutterKind::kConvex, .obstacles = 150, .vertices = 8, .fill = 0.05, .seed = 3});
+  const Vehicle vehicle;
+  const Roadmap map = make_map(world, vehicle, {1.3, 2.6}, GraphMode::kLazy);
+  test::RandomInputs random(4);
+  ArrivalSearch search, anew;
+  std::size_t cut = 0;
+  for (int query = 0; query < 5; ++query) {
+    const Attachment start{random_pose(random, world), {}}, goal{random_pose(random, world), {}};
+    const SearchResult expected = anew.find(map, {&start, 1}, {&goal, 1}, {});
+    for (int i = 0; i < 100; ++i) {
+      if (i % 10 == 0) search.begin_query();
+      SearchOptions options;
+      options.warm_start = i % 2 == 0;
+      options.clock = StopClock(5e-6 * i);
+      const SearchResult before = search.find(map, {&start, 1}, {&goal, 1}, options);
+      cut += before.interrupted ? 1 : 0;
+      options.warm_start = before.interrupted;  // a whole search would go on to other paths
+      options.clock = StopClock();
+      const SearchResult found = search.find(map, {&start, 1}, {&goal, 1}, options);
+      ASSERT_FALSE(found.interrupted);
+      ASSERT_EQ(found.path.has_value(), expected.path.has_value()) << "query " << query << ", cut " << i;
+      if (!found.path) continue;
+      ASSERT_EQ(speed_profile(*found.path, vehicle).total_time, speed_profile(*expected.path, vehicle).total_time)
+          << "query " << query << ", cut " << i;
+    }
+  }
+  EXPECT_GT(cut, 0u);
+}
+
 // Around a square below or above, by circles of several radii.
 TEST(ArrivalSearch, PathsOfOneWayHaveItsNumber) {
   const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
