@@ -26,6 +26,17 @@ constexpr float kDiagonal = 1.42F;       // length of a diagonal step [cells], r
 constexpr float kBucket = 0.5F;          // range of lengths within which cells may be visited in any order [cells]
 constexpr float kMostBuckets = 1000.0F;  // largest number of buckets; they are wider where motions are long
 
+constexpr std::size_t kPart = std::size_t{1} << 13;  // elements taken between two questions to the clock
+
+// Fills an array with as many equal elements. Empty if the clock is over before.
+template <class T>
+void assign_until(std::vector<T>& array, std::size_t size, const T& value, const StopClock& clock) {
+  array.clear();
+  array.reserve(size);
+  while (array.size() < size && !clock.is_over()) array.resize(std::min(size, array.size() + kPart), value);
+  if (array.size() < size) array.clear();
+}
+
 struct Waiting {
   float length;
   std::uint32_t cell;
@@ -63,7 +74,7 @@ class NearestFirst {
 RouteField::RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
                        const StopClock& clock)
     : frame_(frame), ahead_(direction_of(frame.heading)), to_(to) {
-  lay_out(map, most_cells);
+  lay_out(map, most_cells, clock);
   add_walls(map, clock);
   spread(clock);
 }
@@ -73,10 +84,11 @@ Vec2 RouteField::in_grid(const Vec2& p) const {
   return (Vec2(ahead_.dot(d), cross(ahead_, d)) - corner_) / size_;
 }
 
-void RouteField::lay_out(const Roadmap& map, std::size_t most_cells) {
+void RouteField::lay_out(const Roadmap& map, std::size_t most_cells, const StopClock& clock) {
   Box box;
+  StopTicker ticker(clock);
   const auto extend = [&](const Vec2& p) { box.extend(in_grid(p)); };
-  for (std::uint32_t i = 0; i < map.outlines->size(); ++i)
+  for (std::uint32_t i = 0; i < map.outlines->size() && !ticker.is_over(); ++i)
     if (map.outlines->has(i))
       for (const Vec2& p : (*map.outlines)[i].points) extend(p);
   extend(frame_.position());
@@ -89,7 +101,8 @@ void RouteField::lay_out(const Roadmap& map, std::size_t most_cells) {
   corner_ = box.min;
   width_ = static_cast<std::int64_t>(extent.x() / size_) + 2;
   height_ = static_cast<std::int64_t>(extent.y() / size_) + 2;
-  cells_.assign(static_cast<std::size_t>(width_ * height_), {kNever, 0});
+  assign_until(cells_, static_cast<std::size_t>(width_ * height_), {kNever, 0}, clock);
+  if (cells_.empty()) width_ = height_ = 0;
 }
 
 void RouteField::add_walls(const Roadmap& map, const StopClock& clock) {
@@ -214,7 +227,8 @@ void RouteField::heed_turns(double radius, const StopClock& clock) {
   for (int heading = 0; heading < kHeadings; ++heading)
     for (std::size_t k = 0; k < kTurns.size(); ++k)
       motions[static_cast<std::size_t>(heading)][k] = motion(heading, kTurns[k], kTighter * radius / size_);
-  lengths_.assign(cells_.size() * kHeadings, kNever);
+  assign_until(lengths_, cells_.size() * kHeadings, kNever, clock);
+  if (lengths_.empty()) return;
   float longest_motion = kDiagonal, longest = 0.0F;
   for (const auto& of_heading : motions)
     for (const Motion& m : of_heading) longest_motion = std::max(longest_motion, m.length);

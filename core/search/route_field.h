@@ -22,7 +22,7 @@ class RouteField {
   /// @param frame  a pose of the query, such as its start.
   /// @param to  the pose to which routes lead; its heading matters once routes turn.
   /// @param most_cells  largest number of cells of the grid.
-  /// @param clock  may end the construction; the rest of the grid then has no routes.
+  /// @param clock  may end the construction; the rest of the grid, or all of it, then has no routes.
   RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
              const StopClock& clock = {});
 
@@ -39,7 +39,7 @@ class RouteField {
     std::uint8_t walls;  // steps that are blocked: 1 to the right, 2 up
   };
 
-  void lay_out(const Roadmap& map, std::size_t most_cells);
+  void lay_out(const Roadmap& map, std::size_t most_cells, const StopClock& clock);
   void add_walls(const Roadmap& map, const StopClock& clock);
   void add_wall(const Vec2& a, const Vec2& b);
   void spread(const StopClock& clock);

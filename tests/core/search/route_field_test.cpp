@@ -16,12 +16,12 @@ using test::box_ring;
 namespace {
 
 // A wall with a gap in its middle, which ends in the open above.
-RouteField field_behind_a_wall(double gap) {
+RouteField field_behind_a_wall(double gap, const StopClock& clock = {}) {
   const World world({{box_ring(9.0, -20.0, 10.0, -0.5 * gap), {}}, {box_ring(9.0, 0.5 * gap, 10.0, 20.0), {}}},
                     box_ring(-5.0, -20.0, 30.0, 30.0));
   const Vehicle vehicle;
   const Roadmap map = test::lazy_map(world, vehicle);
-  return {map, {0.0, 0.0, 0.3}, {20.0, 0.0, 0.0}, 100'000, {}};
+  return {map, {0.0, 0.0, 0.3}, {20.0, 0.0, 0.0}, 100'000, clock};
 }
 
 TEST(RouteField, LeadsThroughGapsThatAreWideEnough) {
@@ -47,6 +47,13 @@ TEST(RouteField, HeedsNoTurnsOnceTheClockIsOver) {
   const double before = field({0.0, 0.0, kPi});
   field.heed_turns(1.3, StopClock(0.0));
   EXPECT_EQ(field({0.0, 0.0, kPi}), before);
+}
+
+TEST(RouteField, IsTheDistanceIfTheClockIsOverAtOnce) {
+  RouteField field = field_behind_a_wall(0.7, StopClock(0.0));
+  EXPECT_NEAR(field({0.0, 0.0, 0.0}), 20.0, 1e-9);
+  field.heed_turns(1.3);
+  EXPECT_NEAR(field({0.0, 0.0, 0.0}), 20.0, 1e-9);
 }
 
 TEST(RouteField, EndsAtThePlace) { EXPECT_NEAR(field_behind_a_wall(1.0)({20.0, 0.0, 0.0}), 0.0, 0.5); }
