@@ -106,11 +106,8 @@ struct PlanRequest {
 ARCWAY_API std::string to_string(const PlanRequest& request);
 
 /// When to end a query early, and what it may spend. A query that ends early gives the best path found by then, if any.
-/// Every stage of a query checks the clock within about a millisecond on maps of some 1,000 vertices. Some steps do not
-/// check it and take longer on larger maps, measured among 100,000 vertices. To find all links of one circle of an end
-/// takes up to 3 ms. First queries take up to 70 ms for memory and for trees of edges, of which Planner::warm_up does a
-/// part before. What follows the stages, the speeds and the clearance of the path, takes at most 2 ms and a twentieth
-/// of the time limit more.
+/// Every stage of a query checks the clock within about a millisecond. What follows the stages, the speeds and the
+/// clearance of the path, takes at most half a millisecond and a twentieth of the time limit more.
 struct ARCWAY_API PlanLimits {
   double time = std::numeric_limits<double>::infinity();  ///< from the call on [s]
   std::stop_token stop = {};                              ///< may be requested from any thread

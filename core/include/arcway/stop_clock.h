@@ -92,11 +92,11 @@ class ARCWAY_API StopTicker {
   bool over_ = false;
 };
 
-/// The time for work that remains once a clock is over, such as the speeds of the path found. It ends some milliseconds
-/// and a small share of the time limit later. For one thread.
+/// The time for work that remains once a clock is over, such as the clearance of the path found. It ends half a
+/// millisecond and a small share of the time limit later. For one thread.
 class ARCWAY_API Grace {
  public:
-  static constexpr double kSeconds = 2e-3;  // [s]; the clearance of a path of a hundred segments takes as long
+  static constexpr double kSeconds = 5e-4;  // [s]; the clearance of a path of 25 segments takes as long
   static constexpr double kShare = 0.05;    // of the time limit
 
   /// @param clock  must outlive this.
