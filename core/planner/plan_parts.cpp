@@ -32,7 +32,7 @@ bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kRe
 
 void PlanRun::take(const PlanParts& step, double trials) {
   keep_in_both_gears();
-  if (!is_narrow_) return;
+  if (!is_narrow_ && !(is_first_of_trees_ && has_gap(best_cost_, step.tree_gap, true))) return;
   int failed = 0;
   for (const PathPart& part : step.parts) {
     if (result_.interrupted || failed == step.most_failed || !has_gap(best_cost_, step.gap, true)) return;

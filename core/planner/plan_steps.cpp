@@ -140,7 +140,9 @@ void PlanRun::take(const GrowTrees& step, double trials) {
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
-  if (grown.search.path) keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials);
+  if (!grown.search.path) return;
+  is_first_of_trees_ = is_first_of_trees_ || !has_path();
+  keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials);
 }
 
 bool PlanRun::holds(WhenSlim when) const {
@@ -439,12 +441,13 @@ std::optional<Path> PlanRun::pushed_free(const Path& path, const Pose& goal, con
 void PlanRun::take(const RefineBothGears&, double) { keep_in_both_gears(); }
 
 void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
-  if (std::exchange(are_slim_gears_grown_, true)) return;
+  if (std::exchange(are_slim_gears_grown_, true) ? !step.again || !is_narrow_ : step.again) return;
   is_narrow_ = is_narrow_ || !has_path();
   const ReversingSearch& reversing = reversing_search();
   const std::optional<Path> before = reversing.path();
   const double cost = reversing.cost();
-  grow_slim_gear_trees(step, trials, (1.0 + step.slower) * cost);
+  const double wanted = step.again ? std::min(best_cost_, cost) : cost;
+  grow_slim_gear_trees(step, trials, (1.0 + step.slower) * wanted);
   // Refined, it may be the cheaper one.
   if (before && reversing.cost() > (1.0 - kMuchCheaper) * cost) keep_from_both_gears(*before);
 }

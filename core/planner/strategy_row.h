@@ -204,7 +204,10 @@ struct GrowNarrowGearTrees {
 /// Ends with the first one that gets free.
 struct GrowSlimGearTrees {
   std::size_t poses;  ///< of both ends together, for each body
-  double slower;      ///< than the best path before refinement, at most this share
+  double slower;      ///< than the best path, at most this share; before refinement, or `again` behind it
+  /// Where the first path is one of a narrow place and they were grown before, for a path that costs less than the
+  /// refined one does. Nowhere else.
+  bool again = false;
 };
 /// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
 struct RefineBothGears {};
@@ -213,11 +216,13 @@ struct PathPart {
   double begin, end;
 };
 /// Plans parts of the best path again, each between the joints next to its ends, with the speeds there. It does so
-/// where a path was found by trees of a slim body, or by those in both gears for narrow places. Such paths are seldom
-/// the fastest, and short ways are found more easily.
+/// where a path was found by trees of a slim body, or by those in both gears for narrow places. It also does so far
+/// from the lower bound, where trees of the body found the first one. Such paths are seldom the fastest, and short ways
+/// are found more easily.
 struct PlanParts {
   std::span<const PathPart> parts;  ///< in order; each is one of the best path by then
   double gap;                       ///< least gap of a part, and of the best path
+  double tree_gap;                  ///< least gap of the best path where trees of the body itself found the first one
   double tree_share;                ///< of PlanLimits::tree_poses
   int most_failed;                  ///< number of parts in a row that bring nothing
 };

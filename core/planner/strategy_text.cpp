@@ -143,7 +143,8 @@ struct StepText {
   }
   std::string operator()(const GrowSlimGearTrees& step) const {
     return "grow trees in both gears for narrow places, of slim bodies, and push their paths free: " +
-           std::to_string(step.poses) + " poses";
+           std::to_string(step.poses) + " poses" +
+           (step.again ? ", again, for a path cheaper than the refined one" : "");
   }
   std::string operator()(const RefineBothGears&) const { return "refine the cheapest path of the rows in both gears"; }
 };

@@ -63,6 +63,23 @@ TEST(PlanSteps, PlanPartsOfANarrowWayAgain) {
   EXPECT_GT(in_parts.statistics.maneuver_poses, whole.statistics.maneuver_poses);
 }
 
+// Trees find a way with a loop, at twice its lower bound.
+TEST(PlanSteps, PlanPartsOfALongWayRoundAgain) {
+  const Narrow way{"driven/rooms/r8/g1/c50/s12079", "parts planned again", false};
+  const PlanResult in_parts = plan(way, {}), whole = plan(way, {way.row});
+  ASSERT_TRUE(in_parts.solved() && whole.solved());
+  EXPECT_LT(in_parts.travel_time, 0.7 * whole.travel_time);
+}
+
+// What the trees find first turns in another place than the drive, with three changes of gear.
+TEST(PlanSteps, LookAgainForAPlaceToTurn) {
+  const Narrow way{"driven/hugging/r6/g2/c50/s12149", "", true};
+  const PlanResult result = plan(way, {});
+  ASSERT_TRUE(result.solved());
+  EXPECT_EQ(cusps_of(result.path()), 1u);
+  EXPECT_LT(result.travel_time, plan_of_drive(*catalog_driven_world(way.world)).travel_time);
+}
+
 // The real body's trees find the way with more changes of gear, slower than the drive.
 TEST(PlanSteps, LookForAWayInBothGearsByTreesOfASlimBody) {
   const Narrow way{"driven/hugging/r1/g2/c2/s2061", "narrow trees of slim bodies in both gears", true};
