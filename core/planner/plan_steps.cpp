@@ -441,7 +441,8 @@ std::optional<Path> PlanRun::pushed_free(const Path& path, const Pose& goal, con
 void PlanRun::take(const RefineBothGears&, double) { keep_in_both_gears(); }
 
 void PlanRun::take(const GrowSlimGearTrees& step, double trials) {
-  if (std::exchange(are_slim_gears_grown_, true) ? !step.again || !is_narrow_ : step.again) return;
+  if (step.again ? !(are_slim_gears_grown_ && is_narrow_) : are_slim_gears_grown_) return;
+  are_slim_gears_grown_ = true;
   is_narrow_ = is_narrow_ || !has_path();
   const ReversingSearch& reversing = reversing_search();
   const std::optional<Path> before = reversing.path();

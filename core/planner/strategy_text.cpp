@@ -136,7 +136,8 @@ struct StepText {
     return "grow trees in both gears: " + std::to_string(step.poses) + " poses";
   }
   std::string operator()(const PlanParts& step) const {
-    return "plan " + std::to_string(step.parts.size()) + " parts of the path again";
+    return "plan " + std::to_string(step.parts.size()) +
+           " parts of the path again, in a narrow place or where trees found it, gap > " + percent(step.tree_gap);
   }
   std::string operator()(const GrowNarrowGearTrees& step) const {
     return "grow trees in both gears for narrow places: " + std::to_string(step.poses) + " poses";
