@@ -19,6 +19,8 @@ MotionPhases::MotionPhases(const TimedSegment& timed, double top_speed, double a
   for (const Phase& phase : {Phase{accelerating, v1, peak}, Phase{holding, peak, peak}, Phase{braking, peak, v3}})
     if (phase.length > rounding) phases_[count_++] = phase;
   if (count_ == 0) phases_[count_++] = {length, v1, v3};
+  // A motion that claims a little more than the vehicle can accelerate has one phase, over all of its length.
+  if (count_ == 1) phases_[0].length = length;
   phases_[0].speed_in = v1;
   phases_[count_ - 1].speed_out = v3;
 }

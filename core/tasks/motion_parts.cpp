@@ -13,10 +13,13 @@ namespace {
 // less than a micrometer in that time.
 constexpr double kMoment = 1e-9;
 
-// The speed nearest to another one that a vehicle can have at one end of a segment, with a speed at the other end.
-double reachable(double speed, double other, double length, const Vehicle& vehicle) {
-  const double change = 2.0 * vehicle.max_acceleration() * length, square = other * other;
-  return std::clamp(speed, std::sqrt(std::max(0.0, square - change)), std::sqrt(square + change));
+// Lowers the greater of the speeds at both ends of a segment to what the vehicle can reach from the other one. It may
+// be more by rounding and by what motions are allowed to claim. That is a tiny share of the greater speed, but may be a
+// large one of the other.
+void lower_to_reachable(TimedSegment& timed, const Vehicle& vehicle) {
+  double& greater = timed.speed_in > timed.speed_out ? timed.speed_in : timed.speed_out;
+  const double other = std::min(timed.speed_in, timed.speed_out);
+  greater = std::min(greater, std::sqrt(other * other + 2.0 * vehicle.max_acceleration() * timed.segment.length));
 }
 
 // The time nearest to another one in which a vehicle drives a segment with its speeds. It counts shortly before an end
@@ -34,7 +37,8 @@ TimedSegment rest_of(TimedSegment timed, double driven, const TrajectoryState& n
   PathSegment& segment = timed.segment;
   segment.start = segment.at(std::clamp(driven, 0.0, segment.length));
   segment.length = std::max(0.0, segment.length - driven);
-  timed.speed_in = reachable(now.speed, timed.speed_out, segment.length, vehicle);
+  timed.speed_in = now.speed;
+  lower_to_reachable(timed, vehicle);
   timed.duration = possible_time(ended - now.time, timed, vehicle);
   return timed;
 }
@@ -69,7 +73,8 @@ std::vector<TimedSegment> begin_of(const Trajectory& motion, const TrajectorySta
   if (!(time > kMoment)) return begin;
   TimedSegment last = motion.segments()[there.segment];
   last.segment.length = std::clamp(there.distance - length, 0.0, last.segment.length);
-  last.speed_out = reachable(there.speed, last.speed_in, last.segment.length, motion.vehicle());
+  last.speed_out = there.speed;
+  lower_to_reachable(last, motion.vehicle());
   last.duration = possible_time(time, last, motion.vehicle());
   begin.push_back(last);
   return begin;

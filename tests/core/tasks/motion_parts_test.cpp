@@ -44,6 +44,25 @@ TEST(MotionParts, AreTheMotionTogether) {
   }
 }
 
+// A motion may accelerate a little more than the vehicle: see Trajectory. Parts of it still begin and end as fast as it
+// is there, also where it has hardly begun to move.
+TEST(MotionParts, BeginAndEndWithItsSpeed) {
+  constexpr double kMore = 1.0 + 5e-7;  // of the speeds that the vehicle can reach
+  constexpr double kLength = 1.4;
+  const double top = kMore * std::sqrt(2.0 * kLength), time = 2.0 * kLength / top;
+  const std::vector<TimedSegment> claimed{{{{0.0, 0.0, 0.0}, kLength, 0.0}, 0.0, top, time},
+                                          {{{kLength, 0.0, 0.0}, kLength, 0.0}, top, 0.0, time}};
+  const Trajectory motion(claimed, robot());
+  for (const double share : {0.01, 0.06, 0.3, 0.5, 0.7, 0.94, 0.99}) {
+    const TrajectoryState there = motion.at(share * motion.duration());
+    const std::vector<TimedSegment> rest = rest_of(motion, there), begin = begin_of(motion, there);
+    EXPECT_NEAR(rest.front().speed_in, there.speed, 1e-6 * there.speed) << share;
+    EXPECT_NEAR(begin.back().speed_out, there.speed, 1e-6 * there.speed) << share;
+    EXPECT_NO_THROW(Trajectory(rest, robot()));
+    EXPECT_NO_THROW(Trajectory(begin, robot()));
+  }
+}
+
 TEST(MotionParts, AreDrivenSlowerUntilTheyCatchUp) {
   const Trajectory motion = drive();
   const TrajectoryState there = motion.at(0.3 * motion.duration());
