@@ -12,6 +12,10 @@ Pose pose_on(const TurnCircle& circle, double heading) {
   return {p.x(), p.y(), heading};
 }
 
+PathSegment arc_on(const TurnCircle& circle, double from_heading, double turn) {
+  return {pose_on(circle, from_heading), turn * circle.radius, sign_of(circle.side) / circle.radius};
+}
+
 double turn_between(double from, double to, Side side) {
   const double turn = wrap_positive(side == Side::kLeft ? to - from : from - to);
   return turn > kTwoPi - kNoTurn ? 0.0 : turn;

@@ -22,6 +22,10 @@ struct TurnCircle {
 /// The pose on a circle where the body has the given heading [rad].
 Pose pose_on(const TurnCircle& circle, double heading);
 
+/// The arc on a circle from a heading on [rad].
+/// @param turn  [rad], not negative.
+PathSegment arc_on(const TurnCircle& circle, double from_heading, double turn);
+
 /// The headings at the ends of one bitangent may differ by rounding, by less than this [rad].
 inline constexpr double kNoTurn = 1e-9;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -13,16 +12,16 @@
 
 #include "arcway/angle.h"
 #include "core/attach/circle_table.h"
-#include "core/attach/per_circle.h"
 #include "core/attach/search_attachments.h"
 #include "core/attach/search_context.h"
 #include "core/attach/walk_links.h"
-#include "core/base/hash_of.h"
 #include "core/base/infinity.h"
 #include "core/base/open_list.h"
 #include "core/base/prefetch.h"
 #include "core/geometry/quick_direction.h"
 #include "core/motion/speed_profile.h"
+#include "core/search/arrival_labels.h"
+#include "core/search/arrival_path.h"
 #include "core/search/goal_cost.h"
 #include "core/search/reachability.h"
 #include "core/search/search_times.h"
@@ -35,13 +34,6 @@ constexpr std::size_t kManyLabels = 1 << 14;  // number of labels that a warm wo
 // Weight that a prefetch search adds to the heuristic. With less, it finds what the search finds at the same moment.
 // With more, it leaves out more that will be asked for.
 constexpr double kPrefetchHaste = 0.003;
-// Number of arrivals on one circle that are compared exactly. From then on an arrival is dropped if another one loses
-// less than kSameTime of its time, twice that after as many again, and so on. In tight places with several radii,
-// hundreds of paths to a circle differ by nanoseconds. Measured on 55 obstacles: 20,000 arrivals and 29 s by exact
-// comparison of all, 5,300 and 0.2 s now, for the same path. With fewer exact ones a search saves a tenth more. Queries
-// in clutter have fewer on nearly all circles.
-constexpr std::uint32_t kExactArrivals = 16;
-constexpr double kSameTime = 1e-4;
 // Share by which an estimate that knows places may exceed one that does not and counts as the same.
 constexpr double kSameEstimate = 1e-12;
 // Number of paths whose memory is kept: a query holds back one while it looks for others.
@@ -77,31 +69,6 @@ struct Step {
   double turn;          // on the circle, before the link [rad]
   double heading, length;
 };
-
-// An arrival on a circle by some path.
-struct Label {
-  std::uint32_t circle;
-  std::uint32_t number;  // among the labels on the circle
-  double radius;         // of the circle
-  double heading;
-  double reach;  // of the free interval
-  std::uint32_t joint;
-  std::uint32_t parent;  // the label before; kNone: a start link leads here
-  std::uint32_t index;   // of the graph link among those of the parent's circle, or of the start link
-  std::uint32_t next;    // label on the same circle
-};
-
-PathSegment arc_on(const TurnCircle& circle, double from_heading, double turn) {
-  return {pose_on(circle, from_heading), turn * circle.radius, sign_of(circle.side) / circle.radius};
-}
-
-void append_arc(Path& path, const TurnCircle& circle, double from_heading, double turn) {
-  if (turn > 0.0) path.push_back(arc_on(circle, from_heading, turn));
-}
-
-void append_line(Path& path, const Pose& start, double length) {
-  if (length > 0.0) path.push_back({start, length, 0.0});
-}
 
 // What labels depend on beside the map, the starts and the goals.
 struct Question {
@@ -153,8 +120,7 @@ struct ArrivalSearch::Memory {
   std::vector<std::uint32_t> start_joints;  // by start circle: at the end of its attachment's connection
   OpenList<Entry> open;
   HugeVector<Step> steps;
-  HugeVector<Label> labels;
-  PerCircle first_label;
+  ArrivalLabels labels;
   std::vector<std::uint32_t> chain;  // labels of the path found, last first
   std::vector<Path> paths;           // memory of paths that were found
 };
@@ -171,7 +137,8 @@ class ArrivalSearch::Run {
         weight_(1.0 + context.options.suboptimality),
         result_(context.result),
         w_(memory),
-        attachments_(memory.attachments) {
+        attachments_(memory.attachments),
+        dominance_(memory.labels, memory.times, context.map, vehicle_) {
     const bool adds_attachments = has_begun_before();
     if (context.map.speed_zones) slow_goal_ = context.map.speed_zones->disc_around(context.goal);
     w_.times.begin(context, adds_attachments);
@@ -243,15 +210,13 @@ class ArrivalSearch::Run {
     w_.start_joints.clear();
     w_.open.clear();
     w_.steps.clear();
-    w_.labels.clear();
     // Reserves what most searches need. Unused memory costs nothing, but growing means copying into pages that the
     // system clears first.
     const std::size_t enough = context_.map.world.vertices().size();
     w_.open.reserve(enough);
     w_.steps.reserve(enough);
-    w_.labels.reserve(enough);
     w_.times.reserve(enough);
-    w_.first_label.reset(graph_.circles().size());
+    w_.labels.reset(graph_.circles().size(), enough);
   }
 
   // Estimates of the search before may be too high with the links of further goals. Then the search begins anew.
@@ -354,9 +319,9 @@ class ArrivalSearch::Run {
         continue;
       }
       circles_.prefetch(step.to);
-      w_.first_label.prefetch(step.to);
+      w_.labels.prefetch_on(step.to);
       attachments_.prefetch(step.to);
-      will_need(&w_.labels[step.label]);
+      w_.labels.prefetch(step.label);
       if (i == 0) circles_.prefetch_links(step.to);
     }
   }
@@ -379,7 +344,8 @@ class ArrivalSearch::Run {
     }
     const Step& step = w_.steps[entry.index()];
     SearchAttachments::GoalLink& goal = attachments_.goal_link(step.to);
-    if (attachments_.is_free(goal)) result_.path = path_through(step.label, goal.link);
+    if (attachments_.is_free(goal))
+      ArrivalPath(context_, attachments_, w_.labels, w_.chain).write(step.label, goal.link, w_.take_path(), result_);
     return goal.free;
   }
 
@@ -387,13 +353,13 @@ class ArrivalSearch::Run {
     const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStartCircle) return push_start_links(index);
     const std::size_t joints = w_.times.speeds().size();
-    const Label label = arrival_by(entry);
+    const ArrivalLabel label = arrival_by(entry);
     if (comes_later(entry, label) || !arrive(label)) w_.times.truncate(joints);
   }
 
   // Whether an entry, whose estimate knows no places, has been put back on the open list for its arrival is not the
   // next one.
-  bool comes_later(const Entry& entry, const Label& label) {
+  bool comes_later(const Entry& entry, const ArrivalLabel& label) {
     if (!w_.times.depends_on_places() || w_.open.empty()) return false;
     const SpeedTree::Joint& arrival = w_.times.speeds()[label.joint];
     const TurnCircle& circle = graph_.circles()[label.circle];
@@ -405,7 +371,7 @@ class ArrivalSearch::Run {
   }
 
   // The label that a step or a start link leads to.
-  Label arrival_by(const Entry& entry) {
+  ArrivalLabel arrival_by(const Entry& entry) {
     const auto index = static_cast<std::uint32_t>(entry.index());
     if (entry.kind() == Kind::kStart) {
       const AttachmentLink& link = attachments_.start_link(index);
@@ -422,7 +388,7 @@ class ArrivalSearch::Run {
       return {link.circle, 0, radius, link.line.start.heading, 0.0, joint, kNone, index, kNone};
     }
     const Step step = w_.steps[entry.index()];
-    const Label& parent = w_.labels[step.label];
+    const ArrivalLabel& parent = w_.labels[step.label];
     const double radius = circles_.circle(step.to).radius;
     const TurnCircle& circle = graph_.circles()[parent.circle];
     const std::uint32_t joint =
@@ -479,76 +445,28 @@ class ArrivalSearch::Run {
   }
 
   // Expands a new label. False if an older one is as good, or its arrival is not free.
-  bool arrive(Label label) {
+  bool arrive(ArrivalLabel label) {
     const CircleTable::Circle circle = circles_.circle(label.circle);
-    if (context_.options.not_around != kNone && turn_on(label.circle) == context_.options.not_around) return false;
+    if (context_.options.not_around != kNone && turn_on(context_.map, label.circle) == context_.options.not_around)
+      return false;
     label.reach = circles_.reach(label.circle, label.heading);
     if (label.reach < 0.0) return false;
-    label.next = w_.first_label.get(label.circle);
-    if (label.next != kNone) label.number = w_.labels[label.next].number + 1;
-    const double limit = undominated_turn(label, circle.side);
+    w_.labels.follow(label);
+    const double limit = dominance_.undominated_turn(label, circle.side, {known_labels_, context_.options.least_gain});
     if (limit < 0.0) return false;
     const bool free = label.parent == kNone ? context_.is_free(attachments_.start_link(label.index).line)
                                             : graph_.is_kept(w_.labels[label.parent].circle, label.index);
     if (!free) return false;
     result_.start_connected = true;
     ++result_.counts.nodes_expanded;
-    w_.labels.push_back(label);
-    const auto index = static_cast<std::uint32_t>(w_.labels.size() - 1);
-    w_.first_label.set(label.circle, index);
-    leave(index, circle, limit);
+    leave(w_.labels.add(label), circle, limit);
     return true;
-  }
-
-  // How far a label can turn before an older one does as well; negative if that is so from the beginning.
-  [[nodiscard]] double undominated_turn(const Label& label, Side side) const {
-    const SpeedTree& speeds = w_.times.speeds();
-    const std::size_t joints = speeds.size();
-    const double speed = vehicle_.turn_speed(label.radius), cost = w_.times.clearance_cost(label.joint);
-    double limit = kInfinity;
-    const std::uint32_t tolerances = label.number / kExactArrivals;  // whole ones
-    const double same = kSameTime * tolerances * speeds[label.joint].time;
-    const auto slack = [&](std::uint32_t i) {
-      return i < known_labels_ ? std::max(same, context_.options.least_gain) : same;
-    };
-    for (std::uint32_t i = label.next; i != kNone; i = w_.labels[i].next) {
-      const Label& other = w_.labels[i];
-      const double behind = turn_between(other.heading, label.heading, side);
-      if (behind <= other.reach) {
-        const Turned here = turned(other, behind, speed);
-        const bool is_as_good = speeds.dominates(here.joint, speeds[label.joint], slack(i) + cost - here.cost);
-        w_.times.truncate(joints);
-        if (is_as_good) return -1.0;
-      }
-      const double ahead = turn_between(label.heading, other.heading, side);
-      if (ahead <= label.reach && ahead < limit) {
-        const Turned there = turned(label, ahead, speed);
-        const double other_cost = w_.times.clearance_cost(other.joint);
-        if (speeds.dominates(speeds[other.joint], there.joint, slack(i) + there.cost - other_cost)) limit = ahead;
-        w_.times.truncate(joints);
-      }
-    }
-    return limit;
-  }
-
-  struct Turned {
-    SpeedTree::Joint joint;
-    double cost;  // of driving close to obstacles up to there [s]
-  };
-  // The joint of a label after a turn on its circle. Where costs depend on places, it lies behind joints that the
-  // caller forgets.
-  [[nodiscard]] Turned turned(const Label& label, double turn, double speed) const {
-    if (!w_.times.depends_on_places())
-      return {w_.times.speeds().extend(label.joint, turn * label.radius, speed, speed), 0.0};
-    const PathSegment arc = arc_on(graph_.circles()[label.circle], label.heading, turn);
-    const std::uint32_t joint = w_.times.add_turn(label.joint, label.circle, arc, speed);
-    return {w_.times.speeds()[joint], w_.times.clearance_cost(joint)};
   }
 
   // Pushes the departures from a circle, from the arrival's heading on, up to the end of its free interval or an older
   // label.
   void leave(std::uint32_t index, const CircleTable::Circle& circle, double limit) {
-    const Label label = w_.labels[index];
+    const ArrivalLabel label = w_.labels[index];
     const auto goes_on = [&](double turn) { return turn <= label.reach && turn < limit; };
 
     for (std::uint32_t g = attachments_.first_goal_link(label.circle); g != kNone; g = attachments_.goal_link(g).next)
@@ -571,7 +489,7 @@ class ArrivalSearch::Run {
 
   template <class Test>
   void push_goal(std::uint32_t index, std::uint32_t g, Side side, Test&& goes_on) {
-    const Label& label = w_.labels[index];
+    const ArrivalLabel& label = w_.labels[index];
     if (label.circle == context_.options.not_last) return;
     SearchAttachments::GoalLink& goal = attachments_.goal_link(g);
     const double turn = turn_between(label.heading, goal.link.line.start.heading, side);
@@ -592,57 +510,9 @@ class ArrivalSearch::Run {
     if (w_.labels.empty()) return;
     for (std::uint32_t g = first_goal_link; g < attachments_.goal_links().size(); ++g) {
       const std::uint32_t c = attachments_.goal_link(g).link.circle;
-      for (std::uint32_t i = w_.first_label.get(c); i != kNone; i = w_.labels[i].next)
+      for (std::uint32_t i = w_.labels.last_on(c); i != kNone; i = w_.labels[i].next)
         push_goal(i, g, circles_.circle(c).side, [&](double turn) { return turn <= w_.labels[i].reach; });
     }
-  }
-
-  // What a path turns around on a circle, see Way.
-  [[nodiscard]] std::uint32_t turn_on(std::uint32_t circle) const {
-    const TurnCircle& c = graph_.circles()[circle];
-    return Way::turn_around(context_.map.world.obstacle_of(c.vertex), c.side == Side::kLeft);
-  }
-
-  [[nodiscard]] Way way_of(std::span<const std::uint32_t> chain) const {
-    Way way{.number = 1};  // 0 is no way
-    std::uint32_t last = kNone;
-    for (std::size_t i = chain.size(); i-- > 0;) {
-      const std::uint32_t turn = turn_on(w_.labels[chain[i]].circle);
-      if (std::exchange(last, turn) == turn) continue;
-      way.number = hash_of(std::array{way.number, std::uint64_t{turn}});
-      if (way.count < way.turns.size()) way.turns[way.count++] = turn;
-    }
-    return way;
-  }
-
-  [[nodiscard]] Path path_through(std::uint32_t last, const AttachmentLink& goal) {
-    std::vector<std::uint32_t>& chain = w_.chain;
-    chain.clear();
-    for (std::uint32_t at = last; at != kNone; at = w_.labels[at].parent) chain.push_back(at);
-    result_.first_circle = w_.labels[chain.back()].circle;
-    result_.last_circle = w_.labels[last].circle;
-    result_.way = way_of(chain);
-    const AttachmentLink& start = attachments_.start_link(w_.labels[chain.back()].index);
-    const AttachmentCircle& from = attachments_.start_circles()[start.attachment_circle];
-    Path path = w_.take_path();
-    path = context_.starts[from.attachment].connection;
-    append_arc(path, from.circle, from.heading, start.turn);
-    append_line(path, start.line.start, start.line.length);
-    for (std::size_t i = chain.size(); i-- > 0;) {
-      const Label& label = w_.labels[chain[i]];
-      const TurnCircle& circle = graph_.circles()[label.circle];
-      const bool at_end = i == 0;
-      const FeasibleGraph::Link* link =
-          at_end ? nullptr : &graph_.links_from(label.circle)[w_.labels[chain[i - 1]].index];
-      const double heading = at_end ? goal.line.start.heading : link->heading;
-      append_arc(path, circle, label.heading, turn_between(label.heading, heading, circle.side));
-      append_line(path, pose_on(circle, heading), at_end ? goal.line.length : link->length);
-    }
-    const AttachmentCircle& to = attachments_.goal_circles()[goal.attachment_circle];
-    append_arc(path, to.circle, goal.line.start.heading, goal.turn);
-    const Path& connection = context_.goals[to.attachment].connection;
-    path.insert(path.end(), connection.begin(), connection.end());
-    return path;
   }
 
   SearchContext& context_;
@@ -658,6 +528,7 @@ class ArrivalSearch::Run {
   SearchResult& result_;
   Memory& w_;
   SearchAttachments& attachments_;
+  ArrivalDominance dominance_;
 };
 
 ArrivalSearch::ArrivalSearch() : memory_(std::make_unique<Memory>()) {}
@@ -681,8 +552,7 @@ void ArrivalSearch::warm_up(std::size_t circles) {
   memory_->open.warm_up(many);
   memory_->times.warm_up(many);
   empty_with_memory(memory_->steps, many);
-  empty_with_memory(memory_->labels, many);
-  memory_->first_label.warm_up(circles);
+  memory_->labels.warm_up(circles, many);
   memory_->attachments.warm_up(circles);
 }
 
