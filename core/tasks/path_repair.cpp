@@ -22,7 +22,7 @@ constexpr std::array kRooms{1.0, 3.0, 9.0};
 // Steps of bisection to find how far a blocked segment is free.
 constexpr int kCutSteps = 5;
 // Places tried on each segment to find the nearest one.
-constexpr int kPlaces = 8;
+constexpr int kPlacesASegment = 8;
 // Difference of two poses by rounding [m, rad].
 constexpr double kSamePose = 1e-9;
 
@@ -97,8 +97,8 @@ double PathRepair::nearest() const {
   double begin = 0.0, found = 0.0, least = kInfinity;
   for (const TimedSegment& timed : motion_.segments()) {
     const PathSegment& segment = timed.segment;
-    for (int i = 0; i <= kPlaces; ++i) {
-      const double place = segment.length * i / kPlaces;
+    for (int i = 0; i <= kPlacesASegment; ++i) {
+      const double place = segment.length * i / kPlacesASegment;
       const double distance = (segment.at(place).position() - now_.pose.position()).norm();
       if (distance >= least) continue;
       least = distance;
