@@ -67,6 +67,10 @@ bool PlanRun::holds(Known known) const {
       return has_path();
     case Known::kForwardPath:
       return has_forward_path();
+    case Known::kHard:
+      return has_forward_path() && !is_first_of_single_arcs_;
+    case Known::kByTrees:
+      return has_forward_path() && (is_first_of_trees_ || is_narrow_);
     case Known::kByManeuvers:
       return has_forward_path() && fastest_.poses > 0;
     case Known::kPathElsewhere:

@@ -67,9 +67,11 @@ ForwardSearch& PlanRun::forward_search(On on) {
 
 void PlanRun::take(const JoinBySingleArcs& step, double trials) {
   const double haste = search_options_.suboptimality;
+  const bool is_first = !found_;
   keep_forwards(step.on,
                 search([&] { return forward_search(step.on).join_by_single_arcs(end_radii(step.end_radii), haste); }),
                 trials);
+  is_first_of_single_arcs_ = is_first_of_single_arcs_ || (is_first && found_);
 }
 
 void PlanRun::take(const FindSoon& step, double) {
@@ -463,7 +465,9 @@ void PlanRun::grow_slim_gear_trees(const GrowSlimGearTrees& step, double trials,
       is_refused = !free;
       return free;
     };
-    grow_in_both_gears([&] { return reversing_search().grow_slim_gear_trees(*slim, step.poses, most, widened); });
+    grow_in_both_gears([&] {
+      return reversing_search().grow_slim_gear_trees({*slim, step.poses, step.rest_weight, most}, widened);
+    });
     if (!is_refused) return;
   }
 }

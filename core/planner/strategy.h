@@ -59,6 +59,11 @@ inline constexpr std::array<TreePass, 1> kSlimPasses{{{1.0 / 64.0, 4, 0.8, false
 // up to 6 %, for a fifth more time.
 inline constexpr std::array<TreePass, 1> kMoreSlimPasses{{{1.0 / 64.0, 4, 0.016, false}}};
 
+// Trees of a larger weight of the estimate go other ways.
+inline constexpr double kGreedy = 6.0;
+inline constexpr std::array<TreePass, 1> kGreedyPasses{{{1.0 / 64.0, 4, 0.1, false, kGreedy}}};
+inline constexpr std::array<TreePass, 1> kGreedySlimPasses{{{1.0 / 64.0, 4, 0.2, false, kGreedy}}};
+
 // The narrow part of the strategy, in one gear. It is looked at before a way in both gears if the vehicle may not
 // reverse, else behind it: most ways out of narrow places are found sooner in both gears.
 inline constexpr GrowTrees kCoarseTrees{.on = On::kAllRadii,
@@ -92,6 +97,18 @@ inline constexpr GrowSlimTrees kMoreSlimTrees{.body = 0,
                                               .shortening = 2000,
                                               .shortenings = 3,
                                               .slower = 0.5};
+inline constexpr GrowTrees kGreedyTrees{.on = On::kAllRadii,
+                                        .share = 1.0,
+                                        .passes = kGreedyPasses,
+                                        .explores_surroundings = false,
+                                        .only_in_the_open = false,
+                                        .shortenings = 10};
+inline constexpr GrowSlimTrees kGreedySlimTrees{.body = 0,
+                                                .passes = kGreedySlimPasses,
+                                                .when = WhenSlim::kUnlessClosed,
+                                                .shortening = 2000,
+                                                .shortenings = 10,
+                                                .slower = 0.5};
 inline constexpr GrowSlimTrees kLessSlimTrees{.body = 1,
                                               .passes = std::span(kTreePasses).first<1>(),
                                               .when = WhenSlim::kClosedOrRefused,
@@ -354,6 +371,17 @@ inline constexpr StrategyRow kStrategy[] = {
       .best_gap = 0.7},
      kMoreSlimTrees,
      kUntilCompared},
+    // What is hard to find is seldom the fastest way. Of 999 driven worlds, 319 have a plan with such a gap where a
+    // first path is not by single arcs: these rows make 54 of them faster, by up to 34 %, and 2 slower, by up to 0.2 %.
+    // Of five plans that were slower than the drive, three no longer are.
+    {"greedier trees, for a faster path",
+     {.known = Known::kHard, .whole = true, .refines = true, .grows_trees = true, .best_gap = 0.28},
+     kGreedyTrees,
+     kUntilCompared},
+    {"greedier trees of a slim body, for a faster path",
+     {.known = Known::kByTrees, .whole = true, .refines = true, .grows_trees = true, .best_gap = 0.85},
+     kGreedySlimTrees,
+     kUntilCompared},
     {"refinement at length",
      {.known = Known::kForwardPath, .radii = Radii::kSeveral},
      RefineBest{kCloseSecond},
@@ -395,7 +423,17 @@ inline constexpr StrategyRow kStrategy[] = {
       .refines = true,
       .grows_trees = true,
       .best_gap = 0.9},
-     GrowSlimGearTrees{.poses = 12'000, .slower = 0.0, .again = true}},
+     GrowSlimGearTrees{.poses = 10'000, .slower = 0.0, .again = true}},
+    {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
+    // Trees of a smaller weight go another way.
+    {"narrow trees of slim bodies in both gears",
+     {.known = Known::kPath,
+      .driving = Driving::kBothGears,
+      .whole = true,
+      .refines = true,
+      .grows_trees = true,
+      .best_gap = 0.9},
+     GrowSlimGearTrees{.poses = 2'000, .slower = 0.0, .again = true, .rest_weight = 1.5}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // A path that is driven forwards is often cheaper beside a wall, and more so the more a change of gear costs.
     {"trees of a slim body, instead of changes of gear", kInsteadOfGearChanges, kShortSlimTrees, kUntilCompared},
@@ -408,7 +446,7 @@ inline constexpr StrategyRow kStrategy[] = {
     // drive by that, by 38 and 63 %.
     {"parts planned again",
      {.known = Known::kPath, .whole = true, .refines = true, .grows_trees = true},
-     PlanParts{.parts = kParts, .gap = 0.25, .tree_gap = 0.85, .tree_share = 0.25, .most_failed = 3}},
+     PlanParts{.parts = kParts, .gap = 0.25, .tree_gap = 0.5, .tree_share = 0.25, .most_failed = 3}},
 };
 
 /// Largest share by which a path that is driven forwards may cost more than one in both gears if it is to be improved.

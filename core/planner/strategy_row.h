@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/gaps/dead_end.h"
+#include "core/reversing/gear_search.h"
 #include "core/reversing/reversing_search.h"
 #include "core/search/effort.h"
 #include "core/search/forward_search.h"
@@ -24,6 +25,8 @@ enum class Known {
   kNoPath,         ///< no path at all
   kPath,           ///< some path
   kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
+  kHard,           ///< such a path, where single arcs did not find the first one
+  kByTrees,        ///< such a path, where trees found the first one
   kByManeuvers,    ///< such a path, found on the roadmap in use by maneuvers at both ends
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
   kNarrowPath,     ///< only a path of trees for narrow places, which know little of cost
@@ -208,6 +211,7 @@ struct GrowSlimGearTrees {
   /// Where the first path is one of a narrow place and they were grown before, for a path that costs less than the
   /// refined one does. Nowhere else.
   bool again = false;
+  double rest_weight = kRestWeight;  ///< see GearSearchOptions
 };
 /// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
 struct RefineBothGears {};

@@ -24,6 +24,10 @@ const char* text_of(Known known) {
       return "a path";
     case Known::kForwardPath:
       return "a forward path";
+    case Known::kHard:
+      return "a forward path, the first one not by single arcs";
+    case Known::kByTrees:
+      return "a forward path, the first one by trees";
     case Known::kByManeuvers:
       return "a forward path by maneuvers";
     case Known::kPathElsewhere:
@@ -47,6 +51,12 @@ const char* text_of(On on) {
   }
   return "";
 }
+
+// A weight of the estimate of the rest of the route, if it is not the usual one.
+std::string weight_text(double weight, double usual) {
+  return weight == usual ? "" : ", weight of the rest " + shortest_text(weight);
+}
+std::string weight_text(const TreePass& pass) { return weight_text(pass.greed, TreePass{}.greed); }
 
 struct StepText {
   std::string operator()(const JoinBySingleArcs& step) const {
@@ -80,12 +90,12 @@ struct StepText {
   std::string operator()(const GrowTrees& step) const {
     return "grow trees of forward motions, " + percent(step.share) + " of the poses, " +
            std::to_string(step.passes.size()) + (step.passes.size() == 1 ? " pass" : " passes") + " from cells of 1/" +
-           shortest_text(1.0 / step.passes.front().finest) + " body length on" +
+           shortest_text(1.0 / step.passes.front().finest) + " body length on" + weight_text(step.passes.front()) +
            (step.explores_surroundings ? ", unless an end is closed in" : "") +
            (step.only_faster ? ", for a path that is faster before refinement" : "");
   }
   std::string operator()(const GrowSlimTrees& step) const {
-    return "grow trees of a body " + percent(kSlimBodies[step.body]) + " narrower" +
+    return "grow trees of a body " + percent(kSlimBodies[step.body]) + " narrower" + weight_text(step.passes.front()) +
            (step.when == WhenSlim::kClosedOrRefused ? ", if an end is closed in or paths were not pushed free"
                                                     : ", unless an end is closed in") +
            ", and push their paths off what the body touches";
@@ -144,7 +154,7 @@ struct StepText {
   }
   std::string operator()(const GrowSlimGearTrees& step) const {
     return "grow trees in both gears for narrow places, of slim bodies, and push their paths free: " +
-           std::to_string(step.poses) + " poses" +
+           std::to_string(step.poses) + " poses" + weight_text(step.rest_weight, kRestWeight) +
            (step.again ? ", again, for a path cheaper than the refined one" : "");
   }
   std::string operator()(const RefineBothGears&) const { return "refine the cheapest path of the rows in both gears"; }

@@ -27,9 +27,6 @@ struct Pass {
   double share;     // share of the search's poses that the pass may expand
 };
 constexpr std::array<Pass, 3> kPasses{{{1.0, 0.4}, {0.5, 0.3}, {0.25, 0.3}}};
-// Weight of the estimate of the rest of the route. Of 46 driven worlds that need these trees, 42 are solved with 2, 44
-// with 3 and 41 with 4.
-constexpr double kRestWeight = 3.0;
 constexpr std::size_t kFieldCells = 50'000;  // cells of the grid for the estimate of the rest of the route
 // Distance within which poses of the other tree are joined, in lengths of the body.
 constexpr double kJoinDistance = 1.0;
@@ -75,7 +72,7 @@ class NarrowGearSearch {
     const auto remaining = [this, at](const Pose& from) {
       const double way =
           std::max(fields_[at](from), reeds_shepp_distance(from, roots_[other_end(at)], radii_.smaller()));
-      return kRestWeight * way / map_.vehicle.top_speed();
+      return options_.rest_weight * way / map_.vehicle.top_speed();
     };
     return {{map_,
              at == kStartEnd ? vehicle : vehicle.with_gears_swapped(),

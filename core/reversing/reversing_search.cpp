@@ -208,12 +208,12 @@ FoundPath ReversingSearch::grow_narrow_gear_trees(std::size_t poses) {
   return taken(search_narrow_gears(map_, query_.start, query_.goal, gear_options(poses)));
 }
 
-FoundPath ReversingSearch::grow_slim_gear_trees(const Roadmap& slim, std::size_t poses, double most,
-                                                const Widen& widened) {
+FoundPath ReversingSearch::grow_slim_gear_trees(const SlimTrees& slim, const Widen& widened) {
   if (!has_stops_) return {};
-  GearSearchOptions options = gear_options(poses);
-  options.cutoff = most;
-  GearSearchResult grown = search_narrow_gears(slim, query_.start, query_.goal, options);
+  GearSearchOptions options = gear_options(slim.poses);
+  options.cutoff = slim.most;
+  options.rest_weight = slim.rest_weight;
+  GearSearchResult grown = search_narrow_gears(slim.map, query_.start, query_.goal, options);
   if (grown.path) grown.path = widened(*grown.path, query_.goal);
   return taken(grown);
 }

@@ -53,12 +53,17 @@ class ReversingSearch {
   /// Searches by trees in both gears for narrow places: search_narrow_gears.
   FoundPath grow_narrow_gear_trees(std::size_t poses);
 
+  /// How trees of a slim body grow.
+  struct SlimTrees {
+    const Roadmap& map;  ///< of the slim body
+    std::size_t poses;
+    double rest_weight;  ///< see GearSearchOptions
+    double most;         ///< cost of its path that is worth it [s]
+  };
   /// Makes a path of a slim body, from rest to rest, one of the body itself; nothing if none is found.
   using Widen = std::function<std::optional<Path>(const Path& path, const Pose& goal)>;
   /// Searches by trees for narrow places, for a slim body, and makes its path one of the body itself.
-  /// @param slim  the roadmap of the slim body.
-  /// @param most  cost of its path that is worth it [s].
-  FoundPath grow_slim_gear_trees(const Roadmap& slim, std::size_t poses, double most, const Widen& widened);
+  FoundPath grow_slim_gear_trees(const SlimTrees& slim, const Widen& widened);
 
   /// Says what a path costs that is known from elsewhere: only cheaper ones are searched from now on.
   void cut_off(double cost) { cost_ = std::min(cost_, cost); }
