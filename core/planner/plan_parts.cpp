@@ -32,7 +32,8 @@ bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kRe
 
 void PlanRun::take(const PlanParts& step, double trials) {
   keep_in_both_gears();
-  if (!is_narrow_ && !(is_first_of_trees_ && has_gap(best_cost_, step.tree_gap, true))) return;
+  const double elsewhere = query_.request.reverse ? step.both_gears_gap : step.forwards_gap;
+  if (is_easy_ || !has_gap(best_cost_, is_narrow_ ? step.gap : elsewhere, true)) return;
   int failed = 0;
   for (const PathPart& part : step.parts) {
     if (result_.interrupted || failed == step.most_failed || !has_gap(best_cost_, step.gap, true)) return;

@@ -68,7 +68,7 @@ bool PlanRun::holds(Known known) const {
     case Known::kForwardPath:
       return has_forward_path();
     case Known::kHard:
-      return has_forward_path() && !is_first_of_single_arcs_;
+      return has_forward_path() && !is_easy_;
     case Known::kByTrees:
       return has_forward_path() && (is_first_of_trees_ || is_narrow_);
     case Known::kByManeuvers:

@@ -71,7 +71,7 @@ void PlanRun::take(const JoinBySingleArcs& step, double trials) {
   keep_forwards(step.on,
                 search([&] { return forward_search(step.on).join_by_single_arcs(end_radii(step.end_radii), haste); }),
                 trials);
-  is_first_of_single_arcs_ = is_first_of_single_arcs_ || (is_first && found_);
+  is_easy_ = is_easy_ || (is_first && found_ && step.end_radii < kEveryRadius);
 }
 
 void PlanRun::take(const FindSoon& step, double) {

@@ -25,7 +25,7 @@ enum class Known {
   kNoPath,         ///< no path at all
   kPath,           ///< some path
   kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
-  kHard,           ///< such a path, where single arcs did not find the first one
+  kHard,           ///< such a path, where single arcs of few radii did not find the first one
   kByTrees,        ///< such a path, where trees found the first one
   kByManeuvers,    ///< such a path, found on the roadmap in use by maneuvers at both ends
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
@@ -219,14 +219,15 @@ struct RefineBothGears {};
 struct PathPart {
   double begin, end;
 };
-/// Plans parts of the best path again, each between the joints next to its ends, with the speeds there. It does so
-/// where a path was found by trees of a slim body, or by those in both gears for narrow places. It also does so far
-/// from the lower bound, where trees of the body found the first one. Such paths are seldom the fastest, and short ways
-/// are found more easily.
+/// Plans parts of the best path again, each between the joints next to its ends, with the speeds there: short ways are
+/// found more easily. It does so where a path was found by trees of a slim body, or by those in both gears for narrow
+/// places, as such paths are seldom the fastest. It also does so far from the lower bound, where single arcs of few
+/// radii did not find the first path.
 struct PlanParts {
   std::span<const PathPart> parts;  ///< in order; each is one of the best path by then
   double gap;                       ///< least gap of a part, and of the best path
-  double tree_gap;                  ///< least gap of the best path where trees of the body itself found the first one
+  double forwards_gap;              ///< least gap of the best path elsewhere, driven forwards
+  double both_gears_gap;            ///< the same where the vehicle may reverse
   double tree_share;                ///< of PlanLimits::tree_poses
   int most_failed;                  ///< number of parts in a row that bring nothing
 };

@@ -25,7 +25,7 @@ const char* text_of(Known known) {
     case Known::kForwardPath:
       return "a forward path";
     case Known::kHard:
-      return "a forward path, the first one not by single arcs";
+      return "a forward path, the first one not by single arcs of few radii";
     case Known::kByTrees:
       return "a forward path, the first one by trees";
     case Known::kByManeuvers:
@@ -147,7 +147,8 @@ struct StepText {
   }
   std::string operator()(const PlanParts& step) const {
     return "plan " + std::to_string(step.parts.size()) +
-           " parts of the path again, in a narrow place or where trees found it, gap > " + percent(step.tree_gap);
+           " parts of the path again, in a narrow place or, if hard to find, with a gap > " +
+           percent(step.forwards_gap) + ", in both gears > " + percent(step.both_gears_gap);
   }
   std::string operator()(const GrowNarrowGearTrees& step) const {
     return "grow trees in both gears for narrow places: " + std::to_string(step.poses) + " poses";
