@@ -68,6 +68,9 @@ class NarrowGearTree {
   /// The path from a node back to the root.
   [[nodiscard]] Path path_to_root(std::uint32_t node) const { return internal::path_to_root(nodes_, node); }
 
+  /// Number of edges that motions were compared with, as a measure of cost.
+  [[nodiscard]] std::uint64_t edges_compared() const { return contact_.edges_compared(); }
+
  private:
   // The size of a cell: the largest one times powers of two.
   struct Cell {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arcway/angle.h"
+#include "tests/support/boxes.h"
+#include "tests/support/lazy_maps.h"
 #include "tests/support/narrow_queries.h"
 #include "tests/support/plans.h"
 
@@ -76,6 +80,31 @@ TEST(NarrowGearSearch, WhatWasNotFoundIsNotCalledBlocked) {
   EXPECT_EQ(result.status, PlanStatus::kNoPath);
   EXPECT_EQ(result.certainty, Certainty::kGaveUp);
   EXPECT_NE(result.reason.find("at most 1 changes of gear were allowed"), std::string::npos) << result.reason;
+}
+
+// Two walls with a car between them and the goal on the other side of one; the inner sides have so many equal edges.
+std::size_t poses_between_walls(int edges) {
+  const auto wall = [edges](double y, double outwards) {
+    std::vector<Vec2> ring{{-12.0, y + outwards}, {16.0, y + outwards}};
+    if (outwards > 0.0) std::swap(ring[0], ring[1]);
+    for (int i = 0; i <= edges; ++i) {
+      const double share = 1.0 * i / edges;
+      ring.emplace_back(outwards > 0.0 ? -12.0 + 28.0 * share : 16.0 - 28.0 * share, y);
+    }
+    return Polygon{std::move(ring)};
+  };
+  const World world(
+      {wall(2.5, 1.0), wall(-2.5, -1.0), test::box(-13.0, -3.5, -12.0, 3.5), test::box(16.0, -3.5, 17.0, 3.5)});
+  const Roadmap map = test::lazy_map(world, Vehicle(car()));
+  return search_narrow_gears(map, {0.0, 0.0, 0.0}, {0.0, 20.0, 0.0}, {.max_poses = 300}).poses;
+}
+
+// Where motions are compared with thousands of edges each, the search ends after fewer poses.
+TEST(NarrowGearSearch, EndsAfterFewerPosesWhereEachTakesLong) {
+  const std::size_t simple = poses_between_walls(1), fine = poses_between_walls(2'000);
+  EXPECT_EQ(simple, 300u);
+  EXPECT_GT(fine, 0u);
+  EXPECT_LT(fine, simple / 2);
 }
 
 }  // namespace
