@@ -66,59 +66,35 @@ inline constexpr std::array<TreePass, 1> kGreedySlimPasses{{{1.0 / 64.0, 4, 0.2,
 
 // The narrow part of the strategy, in one gear. It is looked at before a way in both gears if the vehicle may not
 // reverse, else behind it: most ways out of narrow places are found sooner in both gears.
-inline constexpr GrowTrees kCoarseTrees{.on = On::kAllRadii,
-                                        .share = 1.0,
-                                        .passes = std::span(kTreePasses).first<1>(),
-                                        .explores_surroundings = true,
-                                        .only_in_the_open = false,
-                                        .shortenings = 10};
-inline constexpr GrowTrees kFinerTrees{.on = On::kAllRadii,
-                                       .share = 1.0,
-                                       .passes = std::span(kTreePasses).subspan<1, 1>(),
-                                       .explores_surroundings = false,
-                                       .only_in_the_open = true,
-                                       .shortenings = 10};
+inline constexpr GrowTrees kCoarseTrees{
+    .on = On::kAllRadii, .share = 1.0, .passes = std::span(kTreePasses).first<1>(), .explores_surroundings = true};
+inline constexpr GrowTrees kFinerTrees{
+    .on = On::kAllRadii, .share = 1.0, .passes = std::span(kTreePasses).subspan<1, 1>(), .only_in_the_open = true};
+inline constexpr GrowTrees kGreedyTrees{.on = On::kAllRadii, .share = 1.0, .passes = kGreedyPasses};
 // A path of fewer motions is made free more often, and is faster then.
-inline constexpr GrowSlimTrees kSlimTrees{
-    .body = 0, .passes = kSlimPasses, .when = WhenSlim::kUnlessClosed, .shortening = 2000, .shortenings = 10};
-inline constexpr GrowSlimTrees kShortSlimTrees{
-    .body = 0, .passes = kMoreSlimPasses, .when = WhenSlim::kUnlessClosed, .shortening = 2000, .shortenings = 10};
+inline constexpr GrowSlimTrees kSlimTrees{.passes = kSlimPasses};
+inline constexpr GrowSlimTrees kShortSlimTrees{.passes = kMoreSlimPasses};
 // A path that may be faster is mostly found by few poses, or by none.
 inline constexpr std::array<TreePass, 1> kFewSlimPasses{{{1.0 / 64.0, 4, 0.005, false}}};
-inline constexpr GrowSlimTrees kFewSlimTrees{.body = 0,
-                                             .passes = kFewSlimPasses,
-                                             .when = WhenSlim::kUnlessClosed,
-                                             .shortening = 2000,
-                                             .shortenings = 3,
-                                             .slower = 0.5};
-inline constexpr GrowSlimTrees kMoreSlimTrees{.body = 0,
-                                              .passes = kMoreSlimPasses,
-                                              .when = WhenSlim::kUnlessClosed,
-                                              .shortening = 2000,
-                                              .shortenings = 3,
-                                              .slower = 0.5};
-inline constexpr GrowTrees kGreedyTrees{.on = On::kAllRadii,
-                                        .share = 1.0,
-                                        .passes = kGreedyPasses,
-                                        .explores_surroundings = false,
-                                        .only_in_the_open = false,
-                                        .shortenings = 10};
-inline constexpr GrowSlimTrees kGreedySlimTrees{.body = 0,
-                                                .passes = kGreedySlimPasses,
-                                                .when = WhenSlim::kUnlessClosed,
-                                                .shortening = 2000,
-                                                .shortenings = 10,
-                                                .slower = 0.5};
-inline constexpr GrowSlimTrees kLessSlimTrees{.body = 1,
-                                              .passes = std::span(kTreePasses).first<1>(),
-                                              .when = WhenSlim::kClosedOrRefused,
-                                              .shortening = 2000,
-                                              .shortenings = 10};
+inline constexpr GrowSlimTrees kFewSlimTrees{.passes = kFewSlimPasses, .shortenings = 3, .slower = 0.5};
+inline constexpr GrowSlimTrees kMoreSlimTrees{.passes = kMoreSlimPasses, .shortenings = 3, .slower = 0.5};
+inline constexpr GrowSlimTrees kGreedySlimTrees{.passes = kGreedySlimPasses, .slower = 0.5};
+inline constexpr GrowSlimTrees kLessSlimTrees{
+    .body = 1, .passes = std::span(kTreePasses).first<1>(), .when = WhenSlim::kClosedOrRefused};
 inline constexpr When kNarrowForwards{.known = Known::kNoPath, .driving = Driving::kForwards, .grows_trees = true};
 inline constexpr When kWholeNarrowForwards{
     .known = Known::kNoPath, .driving = Driving::kForwards, .whole = true, .grows_trees = true};
 inline constexpr When kInsteadOfGearChanges{
     .known = Known::kGearChanges, .driving = Driving::kBothGears, .grows_trees = true, .gap = 0.5, .best_gap = 0.5};
+// The best path is still far above the lower bound.
+constexpr When slow_in_both_gears(double best_gap) {
+  return {.known = Known::kPath,
+          .driving = Driving::kBothGears,
+          .whole = true,
+          .refines = true,
+          .grows_trees = true,
+          .best_gap = best_gap};
+}
 inline constexpr When kNarrowAfterGears{
     .known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true, .grows_trees = true};
 
@@ -297,23 +273,12 @@ inline constexpr StrategyRow kStrategy[] = {
     // faster, by up to 1.9 %, for 40 to 130 ms each time that they are tried.
     {"trees at tight ends",
      {.known = Known::kForwardPath, .grows_trees = true, .gap = 0.5, .tight_end = kPi / 8.0},
-     GrowTrees{.on = On::kInUse,
-               .share = 0.05,
-               .passes = std::span(kTreePasses).first<1>(),
-               .explores_surroundings = false,
-               .only_in_the_open = false,
-               .shortenings = 10}},
+     GrowTrees{.on = On::kInUse, .share = 0.05, .passes = std::span(kTreePasses).first<1>()}},
     // The graph's path may lead a long way round where a short one is hard to join. Of 180 driven worlds, it makes 1
     // faster, by 72 %; from a gap of 1 on it finds no more there, and takes 8 % of all the time.
     {"trees of a faster path",
      {.known = Known::kForwardPath, .driving = Driving::kForwards, .grows_trees = true, .best_gap = 2.0},
-     GrowTrees{.on = On::kInUse,
-               .share = 0.25,
-               .passes = std::span(kTreePasses).first<1>(),
-               .explores_surroundings = false,
-               .only_in_the_open = false,
-               .shortenings = 10,
-               .only_faster = true}},
+     GrowTrees{.on = On::kInUse, .share = 0.25, .passes = std::span(kTreePasses).first<1>(), .only_faster = true}},
     {"faster turns", kOtherTurns, TryOtherTurns{kFasterTurns}},
     {"slower turns", kOtherTurns, TryOtherTurns{kSlowerTurns}},
     // Searches on roadmaps of other radii use no maneuvers. Of 1,281 plans of three robots, it makes 2 faster, by 9
@@ -416,24 +381,12 @@ inline constexpr StrategyRow kStrategy[] = {
     // What is found first may turn in the wrong place, and refinement leaves it there. Trees of a smaller weight go
     // another way. Of 400 driven worlds, few of them from a gap of 0.6 on make 1 faster, by 14 %, which was slower than
     // the drive, for 2 % more of the median time.
-    {"narrow trees of slim bodies in both gears",
-     {.known = Known::kPath,
-      .driving = Driving::kBothGears,
-      .whole = true,
-      .refines = true,
-      .grows_trees = true,
-      .best_gap = 0.6},
+    {"narrow trees of slim bodies in both gears", slow_in_both_gears(0.6),
      GrowSlimGearTrees{.poses = 2'000, .slower = 0.0, .again = true, .rest_weight = 1.5}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // Of 237 driven worlds with such a gap, 10 are faster than with 4,000 poses, by up to 20 %, 3 of which are slower
     // than the drive then. Where the way is not narrow, the row took over a second each time, and few plans gained.
-    {"narrow trees of slim bodies in both gears",
-     {.known = Known::kPath,
-      .driving = Driving::kBothGears,
-      .whole = true,
-      .refines = true,
-      .grows_trees = true,
-      .best_gap = 0.9},
+    {"narrow trees of slim bodies in both gears", slow_in_both_gears(0.9),
      GrowSlimGearTrees{.poses = 10'000, .slower = 0.0, .again = true}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // A path that is driven forwards is often cheaper beside a wall, and more so the more a change of gear costs.

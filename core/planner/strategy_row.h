@@ -109,10 +109,10 @@ struct GrowTrees {
   On on;
   double share;  ///< of PlanLimits::tree_poses
   std::span<const TreePass> passes;
-  bool explores_surroundings;  ///< of the ends, where a tree runs dry: kSurroundingsEffort
-  bool only_in_the_open;       ///< not if the trees before found an end in a dead end
-  std::uint32_t shortenings;   ///< trials of shortening the path, as a multiple of those of refinement
-  bool only_faster = false;    ///< paths that are not faster than the best one, even before refinement, are refused
+  bool explores_surroundings = false;  ///< of the ends, where a tree runs dry: kSurroundingsEffort
+  bool only_in_the_open = false;       ///< not if the trees before found an end in a dead end
+  std::uint32_t shortenings = 10;      ///< trials of shortening the path, as a multiple of those of refinement
+  bool only_faster = false;  ///< paths that are not faster than the best one, even before refinement, are refused
 };
 /// When trees of a slimmer body are worth it, as trees before found.
 enum class WhenSlim {
@@ -121,11 +121,11 @@ enum class WhenSlim {
 };
 /// Grows trees of a slimmer body, and pushes their paths off what the real body touches: SlimMaps, push_free.
 struct GrowSlimTrees {
-  std::size_t body;  ///< of kSlimBodies
+  std::size_t body = 0;  ///< of kSlimBodies
   std::span<const TreePass> passes;
-  WhenSlim when;
-  std::size_t shortening;     ///< trials of shortening a path before it is pushed
-  std::uint32_t shortenings;  ///< of the free path, as for GrowTrees
+  WhenSlim when = WhenSlim::kUnlessClosed;
+  std::size_t shortening = 2000;   ///< trials of shortening a path before it is pushed
+  std::uint32_t shortenings = 10;  ///< of the free path, as for GrowTrees
   /// A free path that is slower than the best one, at first, by more than this share is dropped.
   double slower = std::numeric_limits<double>::infinity();
 };
