@@ -37,14 +37,24 @@ PlanResult plan(const Narrow& narrow, std::vector<std::string> leave_out) {
   return result;
 }
 
-// Other rows than those of greedier trees, which find some ways as well.
-PlanResult plan_without_greedier(const Narrow& narrow, std::vector<std::string> leave_out) {
-  leave_out.emplace_back("greedier trees, for a faster path");
-  leave_out.emplace_back("greedier trees of a slim body, for a faster path");
-  return plan(narrow, std::move(leave_out));
+// Rows that find some ways of other rows as well.
+std::vector<std::string> greedier_rows() {
+  return {"greedier trees, for a faster path", "greedier trees of a slim body, for a faster path"};
 }
 
 double time_of_drive(const Narrow& narrow) { return plan_of_drive(*catalog_driven_world(narrow.world)).travel_time; }
+
+// A plan takes less than a share of the drive's time, and without its row more than the drive.
+// @param leave_out  of both plans.
+void expect_faster_than_the_drive_by_its_row(const Narrow& way, double share, std::vector<std::string> leave_out) {
+  SCOPED_TRACE(way.world);
+  const PlanResult with = plan(way, leave_out);
+  leave_out.push_back(way.row);
+  const PlanResult without = plan(way, std::move(leave_out));
+  ASSERT_TRUE(with.solved() && without.solved());
+  EXPECT_LT(with.travel_time, share * time_of_drive(way));
+  EXPECT_GT(without.travel_time, time_of_drive(way));
+}
 
 // Words do not join the runs beside one that is left out here: least squares do.
 TEST(GearChanges, AreLeftOutByPushingWhatRemains) {
@@ -75,7 +85,10 @@ TEST(PlanSteps, PlanPartsOfANarrowWayAgain) {
 // Trees find a way with a loop, at twice its lower bound.
 TEST(PlanSteps, PlanPartsOfALongWayRoundAgain) {
   const Narrow way{"driven/rooms/r8/g1/c50/s12079", "parts planned again", false};
-  const PlanResult in_parts = plan_without_greedier(way, {}), whole = plan_without_greedier(way, {way.row});
+  std::vector<std::string> leave_out = greedier_rows();
+  const PlanResult in_parts = plan(way, leave_out);
+  leave_out.push_back(way.row);
+  const PlanResult whole = plan(way, std::move(leave_out));
   ASSERT_TRUE(in_parts.solved() && whole.solved());
   EXPECT_LT(in_parts.travel_time, 0.7 * whole.travel_time);
 }
@@ -86,13 +99,8 @@ TEST(PlanSteps, PlanPartsOfAWayThatIsHardToFindAgain) {
   const std::string row = "parts planned again";
   for (const Narrow& way :
        {Narrow{"driven/hugging/r7/g1/c50/s13105", row, false}, Narrow{"driven/hugging/r8/g1/c50/s14169", row, false},
-        Narrow{"driven/carved/r8/g2/c50/s14106", row, true}}) {
-    SCOPED_TRACE(way.world);
-    const PlanResult in_parts = plan(way, {}), whole = plan(way, {way.row});
-    ASSERT_TRUE(in_parts.solved() && whole.solved());
-    EXPECT_LT(in_parts.travel_time, time_of_drive(way));
-    EXPECT_GT(whole.travel_time, time_of_drive(way));
-  }
+        Narrow{"driven/carved/r8/g2/c50/s14106", row, true}})
+    expect_faster_than_the_drive_by_its_row(way, 1.0, {});
 }
 
 // What the trees find first turns in another place than the drive, with three changes of gear.
@@ -163,26 +171,14 @@ TEST(PlanSteps, LeaveAMuchDearerWayInBothGearsAlone) {
 TEST(PlanSteps, LookForAFasterPathByTreesOfASlimBody) {
   const Narrow few{"driven/carved/r1/g1/c50/s3222", "trees of a slim body, for a faster path", false};
   const Narrow more{"driven/hugging/r6/g1/c50/s3173", "more trees of a slim body, for a faster path", false};
-  for (const Narrow& way : {few, more}) {
-    SCOPED_TRACE(way.world);
-    const PlanResult slim = plan_without_greedier(way, {}), graph = plan_without_greedier(way, {way.row});
-    ASSERT_TRUE(slim.solved() && graph.solved());
-    EXPECT_LT(slim.travel_time, time_of_drive(way));
-    EXPECT_GT(graph.travel_time, time_of_drive(way));
-  }
+  for (const Narrow& way : {few, more}) expect_faster_than_the_drive_by_its_row(way, 1.0, greedier_rows());
 }
 
 // The way that is found first is another one than that of the drive.
 TEST(PlanSteps, LookForAFasterPathByTreesThatAreGreedier) {
   const Narrow real{"driven/rooms/r8/g1/c50/s13223", "greedier trees, for a faster path", false};
   const Narrow slim{"driven/hugging/r6/g1/c50/s12113", "greedier trees of a slim body, for a faster path", false};
-  for (const Narrow& way : {real, slim}) {
-    SCOPED_TRACE(way.world);
-    const PlanResult greedy = plan(way, {}), usual = plan(way, {way.row});
-    ASSERT_TRUE(greedy.solved() && usual.solved());
-    EXPECT_LT(greedy.travel_time, 0.9 * time_of_drive(way));
-    EXPECT_GT(usual.travel_time, time_of_drive(way));
-  }
+  for (const Narrow& way : {real, slim}) expect_faster_than_the_drive_by_its_row(way, 0.9, {});
 }
 
 class NarrowWay : public testing::TestWithParam<Narrow> {};

@@ -84,17 +84,13 @@ TEST(NarrowGearSearch, WhatWasNotFoundIsNotCalledBlocked) {
 
 // Two walls with a car between them and the goal on the other side of one; the inner sides have so many equal edges.
 std::size_t poses_between_walls(int edges) {
-  const auto wall = [edges](double y, double outwards) {
-    std::vector<Vec2> ring{{-12.0, y + outwards}, {16.0, y + outwards}};
-    if (outwards > 0.0) std::swap(ring[0], ring[1]);
-    for (int i = 0; i <= edges; ++i) {
-      const double share = 1.0 * i / edges;
-      ring.emplace_back(outwards > 0.0 ? -12.0 + 28.0 * share : 16.0 - 28.0 * share, y);
-    }
+  const auto wall = [edges](double inner, double outer) {
+    Ring ring{{-12.0, outer}, {16.0, outer}};
+    for (int i = 0; i <= edges; ++i) ring.emplace_back(16.0 - 28.0 * i / edges, inner);
     return Polygon{std::move(ring)};
   };
   const World world(
-      {wall(2.5, 1.0), wall(-2.5, -1.0), test::box(-13.0, -3.5, -12.0, 3.5), test::box(16.0, -3.5, 17.0, 3.5)});
+      {wall(2.5, 3.5), wall(-2.5, -3.5), test::box(-13.0, -3.5, -12.0, 3.5), test::box(16.0, -3.5, 17.0, 3.5)});
   const Roadmap map = test::lazy_map(world, Vehicle(car()));
   return search_narrow_gears(map, {0.0, 0.0, 0.0}, {0.0, 20.0, 0.0}, {.max_poses = 300}).poses;
 }
