@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "arcway/executor.h"
 #include "core/roadmap/slot_cache.h"
 
 namespace arcway::internal {
@@ -68,7 +69,8 @@ Box CirclePlaces::Built::append(const Outlines::Piece& piece, const TurnCircles&
   return box;
 }
 
-CirclePlaces::CirclePlaces(const TurnCircles& circles, const std::shared_ptr<const Outlines>& outlines)
+CirclePlaces::CirclePlaces(const TurnCircles& circles, const std::shared_ptr<const Outlines>& outlines,
+                           const StopClock& clock)
     : outlines_(outlines, &outlines->as_new()) {
   const Outlines& pieces = *outlines_;
   auto built = std::make_shared<Built>();
@@ -76,7 +78,10 @@ CirclePlaces::CirclePlaces(const TurnCircles& circles, const std::shared_ptr<con
   built->groups.reserve(pieces.size());
   built->first_group.reserve(pieces.size() + 1);
   HugeVector<Box> boxes(pieces.size());
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) boxes[i] = built->append(pieces[i], circles);
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    if (clock.is_over()) throw Canceled("canceled");
+    boxes[i] = built->append(pieces[i], circles);
+  }
   built->tree = pieces.tree().with_boxes(boxes);
   built_ = std::move(built);
 }

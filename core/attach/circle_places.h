@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "arcway/stop_clock.h"
 #include "arcway/world.h"
 #include "core/base/huge_pages.h"
 #include "core/geometry/box_tree.h"
@@ -21,7 +22,9 @@ class CirclePlaces {
  public:
   /// @param circles  used during the call only.
   /// @param outlines  if changed, their pieces are those of Outlines::as_new.
-  CirclePlaces(const TurnCircles& circles, const std::shared_ptr<const Outlines>& outlines);
+  /// @throws Canceled if the clock is over before.
+  CirclePlaces(const TurnCircles& circles, const std::shared_ptr<const Outlines>& outlines,
+               const StopClock& clock = {});
   /// The index of a world after a change, in time that depends on what has changed since that of `before` was built.
   /// Circles of a piece are looked up when they are first asked for.
   /// @param graph  after the change.

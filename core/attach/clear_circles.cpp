@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "arcway/executor.h"
 #include "core/roadmap/extend_feasible_graph.h"
 
 namespace arcway::internal {
@@ -30,8 +31,9 @@ std::map<double, std::vector<const ClearanceCost::Rule*>> rules_by_distance(cons
 
 }  // namespace
 
-Roadmap with_clear_circles(const Roadmap& map) {
+Roadmap with_clear_circles(const Roadmap& map, const StopClock& clock) {
   AddedCircles added;
+  StopTicker ticker(clock);
   for (const auto& of_distance : rules_by_distance(*map.clearance_cost)) {
     const std::vector<const ClearanceCost::Rule*>& rules = of_distance.second;
     // Half of the safety margin beyond the distance, as base circles keep it beyond what is checked.
@@ -44,12 +46,13 @@ Roadmap with_clear_circles(const Roadmap& map) {
       const std::vector<double> radii = clear_radii(map.radii, side, body);
       for (const VertexId v : map.world.convex_vertices())
         for (const double radius : radii) {
+          end_if_over(ticker);
           const TurnCircle circle = turn_circle(map.world, v, radius, side, body);
           if (is_wanted(circle)) added.around_vertices.push_back(circle);
         }
     }
   }
-  return map.with_graph(extend_feasible_graph(map.graph, map.vehicle, added), map.radii);
+  return map.with_graph(extend_feasible_graph(map.graph, map.vehicle, added, clock), map.radii, nullptr, clock);
 }
 
 }  // namespace arcway::internal

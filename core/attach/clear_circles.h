@@ -1,5 +1,6 @@
 #pragma once
 
+#include "arcway/stop_clock.h"
 #include "core/attach/roadmap.h"
 
 namespace arcway::internal {
@@ -8,6 +9,7 @@ namespace arcway::internal {
 /// all of them, and those of clearance zones where a circle comes near the zone. They are wider where the body would
 /// cover the vertex. The graph is lazy, and has all links of the given one.
 /// Precondition: the roadmap has a clearance cost.
-[[nodiscard]] Roadmap with_clear_circles(const Roadmap& map);
+/// @throws Canceled if the clock is over before it is made.
+[[nodiscard]] Roadmap with_clear_circles(const Roadmap& map, const StopClock& clock = {});
 
 }  // namespace arcway::internal

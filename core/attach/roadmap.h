@@ -4,6 +4,7 @@
 #include <span>
 
 #include "arcway/query_set.h"
+#include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/collision/clearance_cost.h"
@@ -28,14 +29,16 @@ struct Roadmap {
   /// @param radii  of the graph.
   /// @param outlines  of the world.
   /// @param before  null if all is made anew.
+  /// @throws Canceled if the clock is over before.
   Roadmap(const World& world, const Vehicle& vehicle, QuerySet queries, CircleRadii radii,
           std::shared_ptr<const FeasibleGraph> graph, std::shared_ptr<const Outlines> outlines,
-          const RoadmapBefore* before = nullptr);
+          const RoadmapBefore* before = nullptr, const StopClock& clock = {});
   /// A roadmap of the same world and vehicle with another graph.
   /// @param other_radii  of that graph; the smallest are those of this roadmap.
   /// @param before  that with the graph before a change; null if there is none.
+  /// @throws Canceled if the clock is over before.
   [[nodiscard]] Roadmap with_graph(std::shared_ptr<const FeasibleGraph> other, CircleRadii other_radii,
-                                   const RoadmapBefore* before = nullptr) const;
+                                   const RoadmapBefore* before = nullptr, const StopClock& clock = {}) const;
   /// The roadmap on which driving close to obstacles costs.
   [[nodiscard]] Roadmap with_cost(std::shared_ptr<const ClearanceCost> cost) const;
 

@@ -57,10 +57,12 @@ Roadmap LazyGraphs::map_of(const Roadmap& map, const CircleRadii& radii, const R
   const auto* graph = change_ && before && before->radii == radii && !before->clearance_cost
                           ? dynamic_cast<const LazyFeasibleGraph*>(before->graph.get())
                           : nullptr;
-  if (!graph) return map.with_graph(std::make_shared<const LazyFeasibleGraph>(inputs, executor_), radii);
+  if (!graph)
+    return map.with_graph(std::make_shared<const LazyFeasibleGraph>(inputs, executor_), radii, nullptr,
+                          executor_.clock());
   const RoadmapBefore roadmap{*before, change_->may_differ};
   return map.with_graph(change_lazy_feasible_graph(*graph, inputs, change_->change, change_->may_differ), radii,
-                        &roadmap);
+                        &roadmap, executor_.clock());
 }
 
 OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<const OtherRoute> routes,
@@ -71,7 +73,8 @@ OtherMaps::OtherMaps(const Roadmap& all, const Roadmap& smallest, std::span<cons
     if (const Roadmap* same = with_radii(route.radii)) return with_other_turns(*same, all.vehicle, route.factor);
     const CircleRadii radii = all.radii.first(route.radii);
     const Roadmap plain = graphs.map_of(all, radii, before ? before->with_radii(route.radii) : nullptr);
-    return with_other_turns(all.clearance_cost ? with_clear_circles(plain) : plain, all.vehicle, route.factor);
+    return with_other_turns(all.clearance_cost ? with_clear_circles(plain, graphs.clock()) : plain, all.vehicle,
+                            route.factor);
   };
   std::vector<OtherRoute> known{{all.radii.size(), 1.0}};
   for (const OtherRoute& route : routes) {

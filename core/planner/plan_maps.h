@@ -52,6 +52,8 @@ class LazyGraphs {
   /// A roadmap with the graph of some radii.
   /// @param before  the roadmap of the same radii before the change; may be null.
   [[nodiscard]] Roadmap map_of(const Roadmap& map, const CircleRadii& radii, const Roadmap* before) const;
+  /// When the making of graphs has to end.
+  [[nodiscard]] StopClock clock() const { return executor_.clock(); }
 
  private:
   std::shared_ptr<const VisibilityRows> rows_;

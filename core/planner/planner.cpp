@@ -102,9 +102,12 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& que
   executor.begin_stage("feasible graph");
   run_both(
       executor, [&] { graph = make_graph(); }, [&] { outlines = outlines_of(world, before); });
-  if (!before) return {world, vehicle, queries, {vehicle, options.radii}, std::move(graph), std::move(outlines)};
+  if (!before)
+    return {world,   vehicle,     queries, {vehicle, options.radii}, std::move(graph), std::move(outlines),
+            nullptr, many.clock()};
   const RoadmapBefore roadmap{before->maps.all.plain, before->change.may_differ};
-  return {world, vehicle, queries, {vehicle, options.radii}, std::move(graph), std::move(outlines), &roadmap};
+  return {world,    vehicle,     queries, {vehicle, options.radii}, std::move(graph), std::move(outlines),
+          &roadmap, many.clock()};
 }
 
 // The mode that suits the backend, unless the options name one.

@@ -15,9 +15,9 @@ namespace arcway::internal {
 namespace {
 
 // The roadmap on which a clearance cost counts, if it is not 0.
-Roadmap preferring(Roadmap map, const std::shared_ptr<const ClearanceCost>& cost) {
+Roadmap preferring(Roadmap map, const std::shared_ptr<const ClearanceCost>& cost, const StopClock& clock) {
   if (!cost || cost->costs_nothing()) return map;
-  return with_clear_circles(map.with_cost(cost));
+  return with_clear_circles(map.with_cost(cost), clock);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
                          const MapsBefore* before)
     : base_graph(map.graph),
       clearance_cost(ClearanceCost::of(map.vehicle, map.outlines, options.clearance_preference, map.world.zones())),
-      all(preferring(std::move(map), clearance_cost), options.gap_circles),
+      all(preferring(std::move(map), clearance_cost, executor.clock()), options.gap_circles),
       slim(all.plain, rows),
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
   end_if_over(executor);
@@ -46,7 +46,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
     reverse.queries.sweep = obeying(obstacles, plain.one_way_zones, Gear::kReverse);
     backwards.emplace(preferring(
         graphs.map_of(reverse, plain.radii, before && before->maps.backwards ? &*before->maps.backwards : nullptr),
-        clearance_cost));
+        clearance_cost, executor.clock()));
   }
   const std::size_t tightest_count = plain.radii.tightest(plain.vehicle.footprint(plain.vehicle.safety_margin()));
   if (tightest_count < plain.radii.size()) {
@@ -54,7 +54,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
     tightest.emplace(
         preferring(
             graphs.map_of(plain, smallest, before && before->maps.tightest ? &before->maps.tightest->plain : nullptr),
-            clearance_cost),
+            clearance_cost, executor.clock()),
         options.gap_circles);
     other = OtherMaps(plain, tightest->plain, routes_of_strategy(), graphs, before ? &before->maps.other : nullptr);
   }

@@ -39,7 +39,7 @@ const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const
     const StoppableExecutor executor(serial, clock);  // circles take milliseconds
     auto lazy = std::make_shared<const LazyFeasibleGraph>(
         FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, executor);
-    Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines);
+    Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines, nullptr, clock);
     slim.gaps = map_.gaps;  // the real body gets through no others
     return slim;
   });

@@ -49,9 +49,10 @@ CircleChecks::CircleChecks(const CircleChecks& before, const VertexMap& change, 
                    TurnCircles(before.circles_, change, after.world, *after.rows, may_differ, after.radii,
                                after.vehicle.footprint(after.vehicle.safety_margin()))) {}
 
-CircleChecks::CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added)
+CircleChecks::CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added,
+                           const StopClock& clock)
     : CircleChecks({base.world_, vehicle, base.rows_, base.queries_, {}}, base.smallest_radii_,
-                   TurnCircles(base.circles_, added)) {}
+                   TurnCircles(base.circles_, added, clock)) {}
 
 CircleChecks::CircleChecks(const FeasibleGraphInputs& inputs, const SideRadii& smallest_radii, TurnCircles circles)
     : world_(inputs.world),

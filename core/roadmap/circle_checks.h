@@ -37,7 +37,9 @@ class CircleChecks {
   CircleChecks(const CircleChecks& before, const VertexMap& change, const FeasibleGraphInputs& after,
                std::span<const VertexId> may_differ);
   /// The circles of `base`, which has no added ones, and behind them added ones.
-  CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added);
+  /// @throws Canceled if the clock is over before all are there.
+  CircleChecks(const CircleChecks& base, const Vehicle& vehicle, const AddedCircles& added,
+               const StopClock& clock = {});
   CircleChecks(const CircleChecks&) = delete;
   CircleChecks& operator=(const CircleChecks&) = delete;
 

@@ -118,7 +118,7 @@ TurnCircles::TurnCircles(const World& world, const VisibilityRows& rows, const C
   for (const auto& [u, w] : rows.pairs_within(rule.reach(), leads_back, executor)) rule.append(u, w, of_pairs);
   circles_.insert(circles_.end(), of_pairs.begin(), of_pairs.end());
   base_count_ = first_of_gap_straights_ = circles_.size();
-  more_ = by_vertex(own_count_, base_count_);
+  more_ = by_vertex(own_count_, base_count_, executor.clock());
 }
 
 TurnCircles::~TurnCircles() {
@@ -272,7 +272,7 @@ void TurnCircles::take_pairs(const TurnCircles& before, const VertexMap& change,
   more_ = CirclesByVertex(std::move(entries), first_.size());
 }
 
-TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
+TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added, const StopClock& clock)
     : radius_count_(base.radius_count_),
       own_count_(base.own_count_),
       unused_count_(base.unused_count_),
@@ -281,26 +281,40 @@ TurnCircles::TurnCircles(const TurnCircles& base, const AddedCircles& added)
   std::size_t count = base_count_ + added.around_vertices.size();
   for (const GapStraight& straight : added.gap_straights) count += straight.entries.size() + straight.exits.size();
   circles_.reserve(count);
-  circles_ = base.circles_;
-  circles_.insert(circles_.end(), added.around_vertices.begin(), added.around_vertices.end());
+  // One by one, as memory that is written for the first time takes longest.
+  StopTicker ticker(clock);
+  const auto append = [&](std::span<const TurnCircle> circles) {
+    for (const TurnCircle& circle : circles) {
+      end_if_over(ticker);
+      circles_.push_back(circle);
+    }
+  };
+  append(base.circles_);
+  append(added.around_vertices);
   first_of_gap_straights_ = circles_.size();
   for (const GapStraight& straight : added.gap_straights) {
-    circles_.insert(circles_.end(), straight.entries.begin(), straight.entries.end());
+    append(straight.entries);
     const auto exits = static_cast<std::uint32_t>(circles_.size());
-    circles_.insert(circles_.end(), straight.exits.begin(), straight.exits.end());
+    append(straight.exits);
     gap_straight_.resize(circles_.size() - first_of_gap_straights_, static_cast<std::uint32_t>(gap_straights_.size()));
     gap_straights_.push_back({exits, static_cast<std::uint32_t>(circles_.size())});
   }
-  more_ = by_vertex(own_count_, first_of_gap_straights_);
-  beside_ = by_vertex(first_of_gap_straights_, circles_.size());
+  more_ = by_vertex(own_count_, first_of_gap_straights_, clock);
+  beside_ = by_vertex(first_of_gap_straights_, circles_.size(), clock);
 }
 
-CirclesByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last) const {
+CirclesByVertex TurnCircles::by_vertex(std::size_t first, std::size_t last, const StopClock& clock) const {
   std::vector<CirclesByVertex::Entry> entries;
-  for (auto c = static_cast<std::uint32_t>(first); c < last; ++c)
+  StopTicker ticker(clock);
+  for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {
+    end_if_over(ticker);
     for (const VertexId v : {circles_[c].vertex, circles_[c].second})
       if (v != kNone) entries.push_back({v, c});
-  std::ranges::sort(entries, {}, &CirclesByVertex::Entry::key);
+  }
+  std::ranges::sort(entries, [&](const CirclesByVertex::Entry& a, const CirclesByVertex::Entry& b) {
+    end_if_over(ticker);
+    return a.key() < b.key();
+  });
   return {std::move(entries), first_.size()};
 }
 

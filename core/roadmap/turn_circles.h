@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arcway/executor.h"
+#include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/visibility_rows.h"
 #include "arcway/world.h"
@@ -45,7 +46,8 @@ class TurnCircles {
 
   /// The base circles, followed by added ones: those around a vertex, then those of the gap straights, entries before
   /// exits.
-  TurnCircles(const TurnCircles& base, const AddedCircles& added);
+  /// @throws Canceled if the clock is over before all are there.
+  TurnCircles(const TurnCircles& base, const AddedCircles& added, const StopClock& clock = {});
 
   TurnCircles(const TurnCircles& other) = default;
   TurnCircles(TurnCircles&& other) noexcept = default;
@@ -138,7 +140,7 @@ class TurnCircles {
   void take_pairs(const TurnCircles& before, const VertexMap& change, std::span<const std::uint32_t> gone,
                   std::span<const TurnCircle> fresh);
   // The vertices that circles of [first, last) refer to.
-  [[nodiscard]] CirclesByVertex by_vertex(std::size_t first, std::size_t last) const;
+  [[nodiscard]] CirclesByVertex by_vertex(std::size_t first, std::size_t last, const StopClock& clock) const;
   // Calls visit(circle) for each circle of a side around a vertex that is not its own.
   template <class Visitor>
   void visit_more(VertexId v, Side side, Visitor&& visit) const {

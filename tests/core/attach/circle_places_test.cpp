@@ -72,6 +72,14 @@ TEST(CirclePlaces, HoldEachCircleOnce) {
             2 * planner.options().radii.size() * world.convex_vertices().size());  // round two as well
 }
 
+TEST(CirclePlaces, EndOnceTheClockIsOver) {
+  const World world = world_with_holes();
+  const Planner planner(world, Vehicle(), {.graph_mode = GraphMode::kLazy});
+  const TurnCircles& circles = planner.feasible_graph().turn_circles();
+  const auto outlines = std::make_shared<const Outlines>(world);
+  EXPECT_THROW(CirclePlaces(circles, outlines, StopClock(0.0)), Canceled);
+}
+
 TEST(CirclePlaces, LieWithTheirPieces) {
   const World world = world_with_holes();
   const Planner planner(world, Vehicle(), {.graph_mode = GraphMode::kLazy});

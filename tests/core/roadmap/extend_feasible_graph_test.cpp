@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "arcway/executor.h"
+#include "arcway/stop_clock.h"
 #include "core/gaps/gap_circles.h"
 #include "core/gaps/vehicle_gaps.h"
 #include "tests/support/graph_case.h"
@@ -49,6 +51,14 @@ TEST(ExtendFeasibleGraph, KeepsTheLinksOfTheBaseAmongMoreCircles) {
   }
   test::expect_same(among_base, base->links());
   for (const std::size_t kind : {onto, through, off, round}) EXPECT_GT(kind, 0u);
+}
+
+TEST(ExtendFeasibleGraph, EndsOnceTheClockIsOver) {
+  const test::GraphCase c({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.45, .seed = 3});
+  const auto base = c.finished();
+  AddedCircles added;
+  EXPECT_THROW((void)extend_feasible_graph(base, c.vehicle, added, StopClock(0.0)), Canceled);
+  EXPECT_EQ(extend_feasible_graph(base, c.vehicle, added)->circles().size(), base->circles().size());
 }
 
 }  // namespace
