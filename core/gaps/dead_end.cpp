@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "arcway/angle.h"
+#include "core/base/paged_array.h"
 #include "core/gaps/local_sweep.h"
 
 namespace arcway::internal {
@@ -61,17 +62,19 @@ class SeenBoxes {
  public:
   // @param furthest  positions are from -furthest to furthest along both axes.
   // @param headings  number of headings: a power of two, at least kBits.
-  SeenBoxes(std::int32_t furthest, std::int32_t headings, std::vector<std::uint32_t>& memory)
+  SeenBoxes(std::int32_t furthest, std::int32_t headings, PagedArray<std::uint32_t>& memory)
       : furthest_(furthest), across_(2 * furthest + 1), words_(headings / kBits), seen_(memory) {
-    seen_.assign(
-        static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_) * static_cast<std::size_t>(words_), 0);
+    seen_.clear();
+    seen_.make_room(static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_) *
+                    static_cast<std::size_t>(words_));
   }
 
   /// Adds the boxes of `count` headings at a position, from a heading on. Calls visit(heading) for those that are new.
   template <class Visitor>
   void see(std::int32_t x, std::int32_t y, std::int32_t first_heading, std::int32_t count, Visitor&& visit) {
     const std::int32_t position = (x + furthest_) * across_ + y + furthest_;
-    std::uint32_t* const place = seen_.data() + static_cast<std::ptrdiff_t>(position) * words_;
+    // Those of a position lie in one page, as both are powers of two.
+    std::uint32_t* const place = &seen_[static_cast<std::size_t>(position) * static_cast<std::size_t>(words_)];
     for (std::int32_t done = 0; done < count; done += kBits) {
       const std::int32_t first = (first_heading + done) & (words_ * kBits - 1);
       const std::int32_t word = first / kBits, begin = word * kBits;
@@ -89,7 +92,7 @@ class SeenBoxes {
   static constexpr std::int32_t kBits = 32;
 
   std::int32_t furthest_, across_, words_;
-  std::vector<std::uint32_t>& seen_;
+  PagedArray<std::uint32_t>& seen_;
 };
 
 class ForwardFlood {
@@ -122,7 +125,7 @@ class ForwardFlood {
   }
 
   enum class End { kClosed, kOpen, kOpenAtOnce, kGivenUp };
-  End run(std::size_t max_checks, std::vector<std::uint32_t>& memory, const StopClock& clock) {
+  End run(std::size_t max_checks, PagedArray<std::uint32_t>& memory, const StopClock& clock) {
     if (core_.width() <= 0.0 || core_.length() <= 0.0 || step_ > kMostTurn * radius_ ||
         step_ > kLongestStep * furthest_ * edge_)
       return End::kOpen;
@@ -277,7 +280,7 @@ std::optional<DeadEnd> find_dead_end(const Pose& start, const Pose& goal, const 
   const Footprint swapped = footprint.reversed();
   LocalSweep near_start(body.sweep, body.outlines, place_around(start.position(), footprint));
   LocalSweep near_goal(body.sweep, body.outlines, place_around(goal.position(), footprint));
-  std::vector<std::uint32_t> memory;
+  PagedArray<std::uint32_t> memory;
   // Whether smaller boxes cannot help: there would be even more than too many, or all are free.
   std::array<bool, 2> is_settled{};
   for (int level = 0; level <= effort.halvings; ++level)
