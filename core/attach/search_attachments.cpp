@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "arcway/stop_clock.h"
 #include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
 #include "core/collision/path_cost.h"
@@ -171,7 +172,12 @@ void SearchAttachments::add_goal_links(std::uint32_t goal_circle) {
   if ((goal.pose.position() - limit.other_end).norm() >= limit.length) return;
   found_.clear();
   if (!append_links(Direction::kToGoal, goal_circle, limit, found_)) return;
+  StopTicker ticker(context_->options.clock);
   for (const AttachmentLink& link : found_) {
+    if (ticker.is_over()) {
+      context_->result.interrupted = true;
+      return;
+    }
     goal_links_.push_back({link, kInfinity, first_goal_link_.get(link.circle), false, false});
     first_goal_link_.set(link.circle, static_cast<std::uint32_t>(goal_links_.size() - 1));
   }
