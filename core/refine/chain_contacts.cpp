@@ -279,24 +279,26 @@ Term ChainContacts::edge_term(const ArcChain& chain, const Edge& edge, const Pla
   return term;
 }
 
-void ChainContacts::find(const ArcChain& chain, const World& world, const Outlines& outlines, const Bodies& bodies,
-                         double reach) {
+bool ChainContacts::find(const ArcChain& chain, const Around& around, const Bodies& bodies) {
   body_ = bodies.body;
   corners_.clear();
   edges_.clear();
   sights_.clear();
   const auto parts = static_cast<std::uint32_t>(2 * chain.arcs.size() + 1);
   growths_.assign(bodies.growths.begin(), bodies.growths.end());
-  for (std::uint32_t part = 0; part < parts; ++part) find_near(chain, part, world, outlines, reach);
+  StopTicker ticker(around.clock);
+  for (std::uint32_t part = 0; part < parts; ++part)
+    if (!find_near(chain, part, around, ticker)) return false;
   std::ranges::sort(sights_, {}, [](const Sight& s) { return std::pair(s.vertex, s.part); });
   for (std::size_t first = 0; first < sights_.size();) {
     std::size_t last = first + 1;
     while (last < sights_.size() && sights_[last].vertex == sights_[first].vertex &&
            sights_[last].part - sights_[last - 1].part <= 1)
       ++last;
-    add_corners(chain, world, first, last);
+    add_corners(chain, around.world, first, last);
     first = last;
   }
+  return true;
 }
 
 // Of consecutive parts that a corner is near to: those around the nearest one from which it is seen on the same side,
@@ -321,32 +323,34 @@ void ChainContacts::add_corners(const ArcChain& chain, const World& world, std::
   if (high + 1 < last) add_corners(chain, world, high + 1, last);
 }
 
-void ChainContacts::find_near(const ArcChain& chain, std::uint32_t part, const World& world, const Outlines& outlines,
-                              double reach) {
-  const Box near = box_of(chain, part).grown(reach);
+bool ChainContacts::find_near(const ArcChain& chain, std::uint32_t part, const Around& around, StopTicker& ticker) {
+  const World& world = around.world;
+  const Box near = box_of(chain, part).grown(around.reach);
   near_.clear();
   // Sums over contacts round by their order.
-  outlines.as_new().visit_if([&near](const Box& box) { return box.overlaps(near); },
-                             [this](const Outlines::Piece& piece) {
-                               for (std::size_t k = 0; k < piece.edge_count(); ++k)
-                                 near_.push_back(piece.first + static_cast<VertexId>(k));
-                               return true;
-                             });
+  around.outlines.as_new().visit_if([&near](const Box& box) { return box.overlaps(near); },
+                                    [this](const Outlines::Piece& piece) {
+                                      for (std::size_t k = 0; k < piece.edge_count(); ++k)
+                                        near_.push_back(piece.first + static_cast<VertexId>(k));
+                                      return true;
+                                    });
   for (const VertexId v : near_) {
-    if (part % 2 == 1) add_edges(chain, part / 2, world, v, reach);
+    if (ticker.is_over()) return false;
+    if (part % 2 == 1) add_edges(chain, part / 2, around, v);
     if (world.is_convex(v) && near.contains(world.vertex(v))) add_sight(chain, part, world, v);
   }
+  return true;
 }
 
-void ChainContacts::add_edges(const ArcChain& chain, std::uint32_t arc, const World& world, VertexId vertex,
-                              double reach) {
+void ChainContacts::add_edges(const ArcChain& chain, std::uint32_t arc, const Around& around, VertexId vertex) {
+  const World& world = around.world;
   const Vec2 &from = world.vertex(vertex), &to = world.vertex(world.next(vertex));
   const double length = (to - from).norm();
   const Vec2 along = (to - from) / length;
   for (const double ahead : {front(2 * arc + 1), -rear(2 * arc + 1)}) {
     const Edge edge{from, along, -perpendicular(along), length, arc, ahead};
     const Place place = look_at(chain, edge);
-    if (place.kind == kNothing || (place.distance >= 0.0 && place.distance < reach)) edges_.push_back(edge);
+    if (place.kind == kNothing || (place.distance >= 0.0 && place.distance < around.reach)) edges_.push_back(edge);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/model/outlines.h"
@@ -34,8 +35,15 @@ class ChainContacts {
     Footprint body;
     std::span<const double> growths;  ///< by part [m]; empty: none
   };
-  /// Finds all contacts of a free chain within a distance.
-  void find(const ArcChain& chain, const World& world, const Outlines& outlines, const Bodies& bodies, double reach);
+  /// Where contacts are looked for.
+  struct Around {
+    const World& world;
+    const Outlines& outlines;  ///< of the world
+    double reach;              ///< distance from the path [m]
+    StopClock clock = {};
+  };
+  /// Finds all contacts of a free chain. False, and some are missing, if the clock is over before.
+  [[nodiscard]] bool find(const ArcChain& chain, const Around& around, const Bodies& bodies);
 
   [[nodiscard]] std::size_t size() const { return corners_.size() + edges_.size(); }
   /// The least distance of a contact.
@@ -69,9 +77,10 @@ class ChainContacts {
     double sign;
   };
 
-  void find_near(const ArcChain& chain, std::uint32_t part, const World& world, const Outlines& outlines, double reach);
+  // Those of one part; false if the clock is over.
+  [[nodiscard]] bool find_near(const ArcChain& chain, std::uint32_t part, const Around& around, StopTicker& ticker);
   void add_sight(const ArcChain& chain, std::uint32_t part, const World& world, VertexId vertex);
-  void add_edges(const ArcChain& chain, std::uint32_t arc, const World& world, VertexId vertex, double reach);
+  void add_edges(const ArcChain& chain, std::uint32_t arc, const Around& around, VertexId vertex);
   void add_corners(const ArcChain& chain, const World& world, std::size_t first, std::size_t last);
   [[nodiscard]] Place look_from(const ArcChain& chain, const Corner& corner, std::uint32_t part) const;
   [[nodiscard]] Place look_from_line(const ArcChain& chain, const Corner& corner, std::uint32_t part) const;

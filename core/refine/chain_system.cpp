@@ -19,16 +19,17 @@ constexpr double kPush = 1e4, kFree = 2e-4, kLeastShare = 1e-3;
 
 }  // namespace
 
-void ChainSystem::begin(const Vehicle& vehicle, const ChainContacts::Bodies& bodies, const World& world,
-                        const Outlines& outlines, double reach) {
+bool ChainSystem::begin(const Vehicle& vehicle, const ChainContacts::Bodies& bodies,
+                        const ChainContacts::Around& around) {
   speeds = speeds_of(vehicle);
   tightest = SideRadii(vehicle);
   unit = bodies.body.length();
   place_speeds();
   find_bounds(chain, speeds, bounds);
-  contacts.find(chain, world, outlines, bodies, reach);
+  if (!contacts.find(chain, around, bodies)) return false;
   unknowns.number(chain, tightest.smaller());
   tensions.assign(chain.lines.size(), Vec2::Zero());
+  return true;
 }
 
 // The fastest speeds, a little slower.
@@ -90,10 +91,10 @@ double ChainSystem::movement() const {
   return most;
 }
 
-void resolve_overlaps(ChainSystem& system) {
+void resolve_overlaps(ChainSystem& system, const StopClock& clock) {
   const double wanted = kFree * system.unit;
   system.tensions.assign(system.chain.lines.size(), Vec2::Zero());
-  for (int pushes = 0; pushes < kMostPushes; ++pushes) {
+  for (int pushes = 0; pushes < kMostPushes && (pushes == 0 || !clock.is_over()); ++pushes) {
     system.matrix.reset(system.unknowns.size());
     system.right.assign(system.unknowns.size(), 0.0);
     double least = kInfinity;

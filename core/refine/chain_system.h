@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "arcway/stop_clock.h"
 #include "arcway/vehicle.h"
 #include "arcway/world.h"
 #include "core/model/outlines.h"
@@ -33,10 +34,10 @@ struct ChainSystem {
   std::vector<double> right, step;  ///< by unknowns; a step is a solution for `right`
   std::vector<Vec2> tensions;       ///< of lines
 
-  /// Begins with `chain`, whose arcs and lines are placed.
-  /// @param bodies  that keep off the obstacles, and how far from the path these are looked for [m].
-  void begin(const Vehicle& vehicle, const ChainContacts::Bodies& bodies, const World& world, const Outlines& outlines,
-             double reach);
+  /// Begins with `chain`, whose arcs and lines are placed. False if the clock is over before its contacts are found.
+  /// @param bodies  that keep off the obstacles.
+  [[nodiscard]] bool begin(const Vehicle& vehicle, const ChainContacts::Bodies& bodies,
+                           const ChainContacts::Around& around);
 
   /// Numbers of the unknowns of the arc or line of a contact.
   [[nodiscard]] const Numbers& numbers_at(const ChainContacts::Place& place) const {
@@ -63,6 +64,7 @@ struct ChainSystem {
 
 /// Moves a chain as little as frees it of small overlaps, whatever its time: a few steps of least squares. What remains
 /// is for the exact queries to find. The unknowns' numbers stay, step and tensions are lost.
-void resolve_overlaps(ChainSystem& system);
+/// @param clock  asked before each step but the first.
+void resolve_overlaps(ChainSystem& system, const StopClock& clock = {});
 
 }  // namespace arcway::internal

@@ -88,8 +88,9 @@ class InteriorPoint {
     chain().exit = query_.ends.goal * query_.ends.goal;
     const double unit = vehicle.footprint().length();
     find_growths();
-    system_.begin(vehicle, {vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), growths_}, query_.world,
-                  query_.outlines, kReach * unit);
+    if (!system_.begin(vehicle, {vehicle.footprint(0.5 * vehicle.safety_margin() + kGrowth * unit), growths_},
+                       {query_.world, query_.outlines, kReach * unit, query_.clock}))
+      return {false, 0};
     begin_barrier();
     int iterations = 0;
     for (; iterations < effort.iterations && !query_.clock.is_over(); ++iterations) {
@@ -99,7 +100,7 @@ class InteriorPoint {
       if (iterations >= kFirstSteps) change_barrier();
       if (!take_step()) break;
     }
-    resolve_overlaps(system_);
+    resolve_overlaps(system_, query_.clock);
     // What is left to the smallest radius is next to nothing; circles that touch are placed behind it.
     for (ArcChain::Arc& arc : chain().arcs) arc.radius = std::max(arc.radius, system_.tightest.on(arc.sign));
     circles_of(chain(), optimized);

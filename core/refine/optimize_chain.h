@@ -29,7 +29,7 @@ struct ChainQuery {
   const World& world;
   const Outlines& outlines;  ///< of the world
   ChainEffort effort;
-  StopClock clock = {};  ///< asked before each iteration
+  StopClock clock = {};  ///< asked while contacts are found, and before each iteration
   EndSpeeds ends = {};   ///< of the path
   /// What driving close to obstacles costs; may be null. Parts of the chain that keep a preferred distance keep it.
   const ClearanceCost* clearance = nullptr;
@@ -56,7 +56,7 @@ class ChainOptimizer {
   static bool serves(const Vehicle& vehicle);
 
   struct Result {
-    bool is_optimized;  ///< false if the chain has no line that can give way
+    bool is_optimized;  ///< false if the chain has no line that can give way, or the clock is over at once
     int iterations;
   };
   /// Precondition: the vehicle is served.

@@ -182,7 +182,7 @@ TEST(ChainBounds, AreAllKeptWhereAnOptimizationBegins) {
     const CircleChain chain = chain_of(path, start, pose).value();
     const TurnCuts cuts{3, 0.05, vehicle.max_speed() * vehicle.max_speed() / 1.5};
     if (!cut_turns(chain, lines_of(chain).value(), cuts, system.chain)) continue;
-    system.begin(vehicle, vehicle.footprint(), world, outlines, 1.0);
+    ASSERT_TRUE(system.begin(vehicle, vehicle.footprint(), {world, outlines, 1.0}));
     ++begun;
     for (const Bound& bound : system.bounds)
       EXPECT_GT(system.value(bound, system.chain).value, 0.0)

@@ -57,8 +57,12 @@ class ContactCases {
   ChainContacts contacts_of(const ArcChain& chain, double growth = 0.0) const {
     ChainContacts contacts;
     const std::vector<double> growths(2 * chain.arcs.size() + 1, growth);
-    contacts.find(chain, world_, outlines_, {body().grown(-growth), growths}, 4.0 * vehicle_.parameters().length);
+    EXPECT_TRUE(contacts.find(chain, around(), {body().grown(-growth), growths}));
     return contacts;
+  }
+  // @param clock  ends the search for contacts.
+  ChainContacts::Around around(const StopClock& clock = {}) const {
+    return {world_, outlines_, 4.0 * vehicle_.parameters().length, clock};
   }
   // Whether the body touches nothing along a chain, by the exact query.
   bool is_free(const ArcChain& chain) const { return motion_free(*queries_.sweep, body(), test::path_of(chain)); }
@@ -130,6 +134,14 @@ TEST(ChainContacts, FreeChainsTouchNothing) {
     // Paths pass corners by the safety margin, the wide side of the narrower body as well.
     EXPECT_GT(near, 5u);
   }
+}
+
+TEST(ChainContacts, AreNotAllFoundOnceTheClockIsOver) {
+  ContactCases cases(ClutterKind::kConvex, 3);
+  const ArcChain chain = cases.next();
+  ChainContacts contacts;
+  EXPECT_FALSE(contacts.find(chain, cases.around(StopClock(0.0)), cases.body()));
+  EXPECT_LT(contacts.size(), cases.contacts_of(chain).size());
 }
 
 TEST(ChainContacts, OfASmallerBodyThatIsGrownOnAllPartsAreTheSame) {

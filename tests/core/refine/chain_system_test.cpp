@@ -35,8 +35,8 @@ class SystemCases {
       const auto lines = circles ? lines_of(*circles) : std::nullopt;
       if (!lines || !cut_turns(*circles, *lines, {3, 0.05, 72.0}, system.chain)) continue;
       const Footprint body = vehicle_.footprint(0.5 * vehicle_.safety_margin());
-      system.begin(vehicle_, body, world_, outlines_, 4.0 * vehicle_.parameters().length);
-      if (least_contact() >= 0.0) return;
+      const double reach = 4.0 * vehicle_.parameters().length;
+      if (system.begin(vehicle_, body, {world_, outlines_, reach}) && least_contact() >= 0.0) return;
     }
   }
   // A random step of all unknowns, at most so large a share of their scales, or of lengths and turns that are small.
@@ -272,7 +272,7 @@ TEST(ResolveOverlaps, WidensArcsThatAreTooTight) {
     path.push_back({path.back().end(), length, curvature});
   const CircleChain circles = chain_of(path, path.front().start, path.back().end()).value();
   ASSERT_TRUE(cut_turns(circles, lines_of(circles).value(), {3, 0.05, 72.0}, system.chain));
-  system.begin(vehicle, vehicle.footprint(), world, outlines, 1.0);
+  ASSERT_TRUE(system.begin(vehicle, vehicle.footprint(), {world, outlines, 1.0}));
   const ArcChain before = system.chain;
   for (const std::size_t arc : {1u, 4u}) system.chain.arcs[arc].radius = system.tightest.left - 0.01;
   ASSERT_TRUE(system.chain.join());

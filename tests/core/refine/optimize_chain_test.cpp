@@ -233,9 +233,8 @@ TEST(OptimizeChain, EndsWhenTheClockIsOver) {
   ChainOptimizer optimizer;
   for (const CircleChain& chain : free_chains(in.world, 5, 3)) {
     const OptimizedPath result = optimized_path(optimizer, in, chain, kUsualEffort, StopClock(0.0));
-    EXPECT_TRUE(result.result.is_optimized);
+    EXPECT_FALSE(result.result.is_optimized);
     EXPECT_EQ(result.result.iterations, 0);
-    EXPECT_NEAR(result.time, time_before(chain), 0.03 * result.time);
     std::stop_source source;
     source.request_stop();
     EXPECT_EQ(optimized_path(optimizer, in, chain, kUsualEffort, StopClock(1e9, source.get_token())).result.iterations,
