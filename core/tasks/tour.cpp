@@ -46,11 +46,51 @@ using Stage = std::vector<Stop>;
 class TourPlanner {
  public:
   TourPlanner(const Planner& planner, const TourRequest& request, const PlanLimits& limits)
-      : planner_(planner), request_(request), limits_(limits) {
-    stages_.push_back({{request.start, 0, 0.0}});
-  }
+      : planner_(planner), request_(request), limits_(limits) {}
 
   Tour run() {
+    if (!may_be_cut() || !has_choices()) return best_tour();
+    Tour first = first_tour();
+    if (interrupted_) return first;
+    Tour best = best_tour();
+    const auto cost = [this](const Tour& tour) { return cost_of(tour.plan, request_.cusp_cost); };
+    if (!interrupted_ || !(cost(first) < cost(best))) return best;
+    first.plan.interrupted = true;
+    const double unrefined = first.plan.statistics.unrefined_travel_time;
+    first.plan.statistics = best.plan.statistics;
+    first.plan.statistics.unrefined_travel_time = unrefined;
+    return first;
+  }
+
+ private:
+  [[nodiscard]] bool may_be_cut() const { return limits_.time < kInfinity || limits_.stop.stop_possible(); }
+  // Whether some place has several poses.
+  [[nodiscard]] bool has_choices() const {
+    const auto is_open = [](const Place& place) { return !place.heading.has_value(); };
+    return request_.goals.size() > 1 || is_open(request_.goals.front()) ||
+           std::ranges::any_of(request_.waypoints, is_open);
+  }
+
+  void begin() {
+    stages_.clear();
+    stages_.push_back({{request_.start, 0, 0.0}});
+    failure_.reset();
+    failure_stage_ = 0;
+  }
+
+  // By the first pose reached at each place: it takes some plan for each leg, where the best tour takes hundreds.
+  Tour first_tour() {
+    begin();
+    for (const Place& place : request_.waypoints) {
+      add_stage({&place, 1});
+      if (reach_first() == nullptr) return finish(nullptr);
+    }
+    add_stage(request_.goals);
+    return finish(reach_first());
+  }
+
+  Tour best_tour() {
+    begin();
     for (const Place& place : request_.waypoints) {
       add_stage({&place, 1});
       reach_all();
@@ -63,7 +103,6 @@ class TourPlanner {
     return finish(best);
   }
 
- private:
   void add_stage(std::span<const Place> places) {
     Stage stage;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -206,6 +245,22 @@ class TourPlanner {
   }
   [[nodiscard]] bool any_reached() const {
     return std::any_of(stages_.back().begin(), stages_.back().end(), [](const Stop& s) { return s.cost < kInfinity; });
+  }
+
+  // The first stop of the last stage that is reached, those with the least lower bounds first; null if none is. Of the
+  // stage before, one stop was reached.
+  Stop* reach_first() {
+    const Stage& before = stages_[stages_.size() - 2];
+    const Stop& from = *std::ranges::min_element(before, {}, &Stop::cost);
+    std::vector<std::pair<double, Stop*>> order;
+    for (Stop& stop : stages_.back()) order.emplace_back(leg_lower_bound(from.pose, stop.pose), &stop);
+    std::ranges::stable_sort(order, {}, &std::pair<double, Stop*>::first);
+    for (const auto& next : order) {
+      reach(*next.second, kInfinity);
+      if (next.second->cost < kInfinity) return next.second;
+      if (interrupted_) break;
+    }
+    return nullptr;
   }
 
   // The cheapest stop of the last stage; null if there is none.

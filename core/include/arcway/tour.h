@@ -57,6 +57,9 @@ ARCWAY_API std::string to_string(const Tour& tour);
 /// poses, plans grow no trees, as most have no path. If no pose is reached then, the legs not proved impossible are
 /// planned with trees, in turn until one succeeds. These trees have twice the poses of one plan in all.
 ///
+/// With a time limit or a stop token, a tour by the first pose reached at each place comes before all that. It is the
+/// result if it is the best one when time is over.
+///
 /// A tour without a path is no error: see PlanResult::status. Status and reason name leg and place as they were
 /// requested.
 /// @param limits  for all plans together.

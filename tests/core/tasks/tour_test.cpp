@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "arcway/angle.h"
+#include "arcway/backend.h"
 #include "arcway/datasets/catalog.h"
 #include "arcway/datasets/clutter.h"
 #include "arcway/datasets/random_queries.h"
@@ -14,6 +15,7 @@
 #include "tests/support/boxes.h"
 #include "tests/support/plans.h"
 #include "tests/support/random_inputs.h"
+#include "tests/support/stopping_queries.h"
 
 namespace arcway::internal {
 namespace {
@@ -317,6 +319,27 @@ TEST(Tour, KeepsItsLimits) {
   const Tour late = plan_tour(planner, {.start = {}, .waypoints = {{{1, 5}}}, .goals = {{{5, 5}}}}, {.time = 0.0});
   EXPECT_EQ(late.plan.status, PlanStatus::kTimeLimit);
   EXPECT_EQ(late.plan.reason, "leg 1 of 2: no path was found within the time limit of 0 s");
+}
+
+// The best tour takes hundreds of plans, the first one some.
+TEST_F(TourInClutter, IsTheFirstOneFoundWhereItIsStopped) {
+  test::StoppingQueries stopping(world_);
+  const Planner planner(world_, Vehicle{}, backend_of(world_, stopping.queries()), kShortRefinement);
+  const TourRequest request{.start = queries_[1].start,
+                            .waypoints = {{queries_[2].goal.position()}, {queries_[3].goal.position()}},
+                            .goals = {{queries_[4].goal.position()}}};
+  const Tour best = plan_tour(planner, request);  // fills the caches of the graph
+  ASSERT_TRUE(best.plan.solved()) << best.plan.reason;
+  const Tour whole = plan_tour(planner, request, {.stop = stopping.stop_at(test::StoppingQueries::kNever)});
+  EXPECT_FALSE(whole.plan.interrupted);
+  EXPECT_EQ(whole.plan.travel_time, best.plan.travel_time);
+  const Tour first = plan_tour(planner, request, {.stop = stopping.stop_at(stopping.asked() / 4)});
+  ASSERT_TRUE(first.plan.solved()) << first.plan.reason;
+  EXPECT_TRUE(first.plan.interrupted);
+  EXPECT_GE(first.plan.travel_time, best.plan.travel_time);
+  EXPECT_LT(first.plan.statistics.nodes_pushed, best.plan.statistics.nodes_pushed);
+  EXPECT_EQ(first.passed.size(), request.waypoints.size());
+  expect_valid(planner, first.plan);
 }
 
 TEST(Tour, SaysThatItWasCanceledWhateverIsWrongWithAnotherGoal) {
