@@ -208,8 +208,8 @@ struct GrowNarrowGearTrees {
 struct GrowSlimGearTrees {
   std::size_t poses;  ///< of both ends together, for each body
   double slower;      ///< than the best path, at most this share; before refinement, or `again` behind it
-  /// Where the first path is one of a narrow place and they were grown before, for a path that costs less than the
-  /// refined one does. Nowhere else.
+  /// Where they were grown before and found none, or the first path is one of a narrow place: for one that costs less
+  /// than the refined one does. Nowhere else.
   bool again = false;
   double rest_weight = kRestWeight;  ///< see GearSearchOptions
 };
