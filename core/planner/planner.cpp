@@ -102,12 +102,16 @@ Roadmap make_map(const World& world, const Vehicle& vehicle, const QuerySet& que
   executor.begin_stage("feasible graph");
   run_both(
       executor, [&] { graph = make_graph(); }, [&] { outlines = outlines_of(world, before); });
-  if (!before)
-    return {world,   vehicle,     queries, {vehicle, options.radii}, std::move(graph), std::move(outlines),
-            nullptr, many.clock()};
-  const RoadmapBefore roadmap{before->maps.all.plain, before->change.may_differ};
-  return {world,    vehicle,     queries, {vehicle, options.radii}, std::move(graph), std::move(outlines),
-          &roadmap, many.clock()};
+  const auto roadmap = before ? std::optional(RoadmapBefore{before->maps.all.plain, before->change.may_differ})
+                              : std::optional<RoadmapBefore>();
+  return {world,
+          vehicle,
+          queries,
+          {vehicle, options.radii},
+          std::move(graph),
+          std::move(outlines),
+          roadmap ? &*roadmap : nullptr,
+          many.clock()};
 }
 
 // The mode that suits the backend, unless the options name one.

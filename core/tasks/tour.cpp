@@ -49,20 +49,24 @@ class TourPlanner {
       : planner_(planner), request_(request), limits_(limits) {}
 
   Tour run() {
+    Tour tour = best_in_time();
+    tour.plan.start = request_.start;
+    tour.plan.interrupted = interrupted_;
+    statistics_.unrefined_travel_time = tour.plan.statistics.unrefined_travel_time;
+    statistics_.total_seconds = watch_.seconds();
+    tour.plan.statistics = statistics_;
+    return tour;
+  }
+
+ private:
+  Tour best_in_time() {
     if (!may_be_cut() || !has_choices()) return best_tour();
     Tour first = first_tour();
     if (interrupted_) return first;
     Tour best = best_tour();
     const auto cost = [this](const Tour& tour) { return cost_of(tour.plan, request_.cusp_cost); };
-    if (!interrupted_ || !(cost(first) < cost(best))) return best;
-    first.plan.interrupted = true;
-    const double unrefined = first.plan.statistics.unrefined_travel_time;
-    first.plan.statistics = best.plan.statistics;
-    first.plan.statistics.unrefined_travel_time = unrefined;
-    return first;
+    return interrupted_ && cost(first) < cost(best) ? first : best;
   }
-
- private:
   [[nodiscard]] bool may_be_cut() const { return limits_.time < kInfinity || limits_.stop.stop_possible(); }
   // Whether some place has several poses.
   [[nodiscard]] bool has_choices() const {
@@ -78,7 +82,7 @@ class TourPlanner {
     failure_stage_ = 0;
   }
 
-  // By the first pose reached at each place: it takes some plan for each leg, where the best tour takes hundreds.
+  // By the first pose reached at each place: a few plans for each leg, where the best tour takes hundreds.
   Tour first_tour() {
     begin();
     for (const Place& place : request_.waypoints) {
@@ -315,11 +319,6 @@ class TourPlanner {
       tour.goal = last->place;
       join(legs_to(*last), tour);
     }
-    plan.start = request_.start;
-    plan.interrupted = interrupted_;
-    statistics_.unrefined_travel_time = plan.statistics.unrefined_travel_time;
-    statistics_.total_seconds = watch_.seconds();
-    plan.statistics = statistics_;
     return tour;
   }
 
