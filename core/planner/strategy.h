@@ -240,6 +240,7 @@ inline constexpr StrategyRow kStrategy[] = {
     {"tightest radii alone",
      {.known = Known::kPathElsewhere, .radii = Radii::kSeveral, .best_gap = kAtBound},
      JoinByNarrowPlaces{On::kTightest}},
+    // In parts of a path as well, it makes 5 of 800 driven worlds faster, by up to 2 %, and 1 slower, for up to 0.3 s.
     {"tightest radii alone",
      {.known = Known::kPathElsewhere, .radii = Radii::kSeveral, .whole = true, .best_gap = kAtBound},
      JoinByManeuvers{On::kTightest, {.first = 100, .sparse_factor = 4}}},
