@@ -31,7 +31,8 @@ bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kRe
 }  // namespace
 
 void PlanRun::take(const PlanParts& step, double trials) {
-  keep_in_both_gears();
+  keep_all();
+  if (!found_) return;
   const double elsewhere = query_.request.reverse ? step.both_gears_gap : step.forwards_gap;
   if (is_easy_ || !has_gap(best_cost_, is_narrow_ ? step.gap : elsewhere, true)) return;
   int failed = 0;

@@ -52,8 +52,7 @@ void PlanRun::follow(std::span<const StrategyRow> rows) {
     const double trials = query_.maps.tightest ? row.trials.several : row.trials.tightest;
     std::visit([&](const auto& step) { take(step, trials); }, row.step);
   }
-  if (soon_) keep(*std::exchange(soon_, std::nullopt), {}, 0.0, RefineMode::kForwards);
-  keep_in_both_gears();
+  keep_all();
   if (!has_proof_ && forward_all_radii_) why_.obstruction = forward_all_radii_->obstruction();
 }
 
@@ -273,6 +272,11 @@ void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t sh
   if (times.cost == kInfinity || (!is_first && times.cost >= fastest_.times.cost)) return;
   maps_ = &maps;
   fastest_ = {times, &maps.plain, 0, kNone, kNone};
+}
+
+void PlanRun::keep_all() {
+  if (soon_) keep(*std::exchange(soon_, std::nullopt), {}, 0.0, RefineMode::kForwards);
+  keep_in_both_gears();
 }
 
 void PlanRun::keep_in_both_gears() {

@@ -155,6 +155,8 @@ class PlanRun {
   void note_first(const Path& path, double time);
   // Shortens a path of many motions, and keeps it.
   void keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
+  // Keeps the first path, if no other one was kept, and the cheapest one in both gears.
+  void keep_all();
   // Keeps the cheapest path of the search in both gears, unless it was kept.
   void keep_in_both_gears();
   void keep_from_both_gears(const Path& path);

@@ -103,6 +103,23 @@ TEST(PlanSteps, PlanPartsOfAWayThatIsHardToFindAgain) {
     expect_faster_than_the_drive_by_its_row(way, 1.0, {});
 }
 
+// A query of which only the first path is known must not take parts of the query before it.
+TEST(PlanSteps, PlanPartsOfNoOtherQuery) {
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 20, .vertices = 10, .fill = 0.3, .seed = 1});
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{4.0}, .max_acceleration = 2.0});
+  const Planner planner(world, vehicle, {.leave_out = {"single arcs"}});
+  test::RandomInputs random(5);
+  int solved = 0;
+  for (int i = 0; i < 40; ++i) {
+    const PlanResult plan = planner.plan({test::pose_in(world, random), test::pose_in(world, random)});
+    if (!plan.solved()) continue;
+    ++solved;
+    test::expect_valid(planner, plan, false);
+  }
+  EXPECT_GT(solved, 5);
+}
+
 // What the trees find first turns in another place than the drive, with three changes of gear.
 TEST(PlanSteps, LookAgainForAPlaceToTurn) {
   const Narrow way{"driven/hugging/r6/g2/c50/s12149", "", true};
