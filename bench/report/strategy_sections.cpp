@@ -42,7 +42,9 @@ void add_cases(const Results& results, std::string_view name, std::vector<std::s
 struct MoveText {
   std::string operator()(const DropTurns&) const { return "leave turns out, many at once first"; }
   std::string operator()(const RejoinEnds&) const { return "join start or goal to a later circle"; }
-  std::string operator()(const MergeTurns&) const { return "make several turns one, tangent to the lines beside them"; }
+  std::string operator()(const MergeTurns& move) const {
+    return std::string("make ") + (move.all ? "all" : "several") + " turns one, tangent to the lines beside them";
+  }
   std::string operator()(const WidenTurns&) const { return "make parts of a turn wider, and the ends tighter"; }
   std::string operator()(const InsertWords& move) const {
     return "join places on two lines by Dubins words: lines in " + std::to_string(move.parts) + " parts" +

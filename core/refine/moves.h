@@ -33,6 +33,7 @@ struct RejoinEnds {};
 /// Makes several turns one turn, tangent to the lines before and behind.
 struct MergeTurns {
   std::span<const double> radii;              ///< radii that are tried, the smallest first
+  bool all = false;                           ///< all turns of the path; otherwise some, so that two are left
   double least_turn = 1e-3, most_turn = 3.0;  ///< range of the turn that takes the place of several [rad]
 };
 /// Makes parts of a turn wider, and the ends tighter.
@@ -115,6 +116,7 @@ inline constexpr MoveRow kMoves[] = {
     {"slide circles finely", Stage::kSettle, SlideCircles{kEndSteps, 0.0}},
     // Words between more places may lead out of a local optimum.
     {"insert more words", Stage::kEscape, InsertWords{3, kNearEnds}},
+    {"merge all turns", Stage::kEscape, MergeTurns{.radii = kMergedRadii, .all = true}},
     {"slide circles along lines", Stage::kFinish, SlideCircles{kCircleSteps, 0.0}},
 };
 

@@ -304,6 +304,7 @@ class Refiner {
   }
 
   bool take(const MergeTurns& move) {
+    if (move.all) return !done_by_now() && merge(0, circles().size(), move);
     bool any = false;
     for (std::size_t span = circles().size(); span >= 2; --span)
       for (std::size_t i = 0; i + span <= circles().size() && !done_by_now(); ++i) any |= merge(i, i + span, move);
@@ -332,6 +333,11 @@ class Refiner {
                                     {turn_circle({touch.x(), touch.y(), before.start.heading}, radius, side)});
       if (first == 0) change.lead_in = ahead - radius * slope;
       if (last == circles().size()) change.lead_out = back - radius * slope;
+      // A chain has two circles at least: the vehicle does not turn on the goal's one.
+      if (move.all) {
+        change.circles[change.count++] = chain_.chain().last_circle(0.0, smallest_on(side), side);
+        change.lead_out = 0.0;
+      }
       if (accept(change)) return true;
     }
     return false;

@@ -120,6 +120,11 @@ TEST(PlanSteps, PlanPartsOfNoOtherQuery) {
   EXPECT_GT(solved, 5);
 }
 
+// The only turn is at the start; what two circles leave of one at the goal costs 2 ms.
+TEST(PlanSteps, MergeAllTurnsOfAPathIntoOne) {
+  expect_faster_than_the_drive_by_its_row({"driven/carved/r6/g1/c50/s18302", "merge all turns", false}, 1.0, {});
+}
+
 // What the trees find first turns in another place than the drive, with three changes of gear.
 TEST(PlanSteps, LookAgainForAPlaceToTurn) {
   const Narrow way{"driven/hugging/r6/g2/c50/s12149", "", true};
