@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/collision/clearance_cost.h"
 #include "core/motion/end_speeds.h"
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/plan_run.h"
@@ -38,7 +39,21 @@ void PlanRun::take(const PlanParts& step, double trials) {
   int failed = 0;
   for (const PathPart& part : step.parts) {
     if (result_.interrupted || failed == step.most_failed || !has_gap(best_cost_, step.gap, true)) return;
-    failed = plan_in_vain(part, step, trials) ? failed + 1 : 0;
+    failed = plan_in_vain(part, {Scope::kPart, step.gap, step.tree_share}, trials) ? failed + 1 : 0;
+  }
+}
+
+void PlanRun::take(const PlanPartsQuickly& step, double trials) {
+  // Searches for parts have memory of their own.
+  if (map_.world.vertices().size() > PlanMaps::kNarrowVertices) return;
+  keep_all();
+  if (!found_) return;
+  const PartEffort effort{
+      .scope = Scope::kQuickPart, .gap = step.gap, .slower = step.slower, .worth_length = step.worth_length};
+  std::size_t failed = 0;
+  for (const PathPart& part : step.parts) {
+    if (result_.interrupted || failed == step.most_failed) return;
+    failed = plan_in_vain(part, effort, trials) ? failed + 1 : 0;
   }
 }
 
@@ -57,7 +72,7 @@ PlanRequest PlanRun::request_between(std::size_t from, std::size_t to) const {
   return request;
 }
 
-bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double trials) {
+bool PlanRun::plan_in_vain(const PathPart& part, const PartEffort& effort, double trials) {
   const std::span<const PathSegment> whole = best();
   const double time = travel_time(best());
   const std::vector<double>& durations = workspace_.profile.durations;
@@ -67,26 +82,34 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PlanParts& step, double t
 
   const PlanRequest request = request_between(from, to);
   PlanLimits limits = query_.limits;
-  limits.tree_poses = static_cast<std::uint32_t>(step.tree_share * static_cast<double>(limits.tree_poses));
+  limits.tree_poses = static_cast<std::uint32_t>(effort.tree_share * static_cast<double>(limits.tree_poses));
   const QueryContext query{query_.maps, query_.options, request, limits, query_.clock};
   PlanResult planned;
   planned.lower_bound =
       travel_time_lower_bound(request.start, request.goal, (request.goal.position() - request.start.position()).norm(),
                               map_.vehicle, request.reverse, query.ends(), map_.speed_zones.get());
   const auto of_part = std::span(durations).subspan(from, to - from);
-  if (std::reduce(of_part.begin(), of_part.end()) <= (1.0 + step.gap) * planned.lower_bound) return false;
+  const double so_far = std::reduce(of_part.begin(), of_part.end());
+  if (so_far <= (1.0 + effort.gap) * planned.lower_bound) return false;
 
   if (!workspace_.part) workspace_.part = std::make_unique<PlanWorkspace>();
-  PlanRun run(query, *workspace_.part, planned, Scope::kPart);
+  PlanRun run(query, *workspace_.part, planned, effort.scope);
+  const double cost = so_far + internal::clearance_cost(map_.clearance_cost.get(), whole.subspan(from, to - from));
+  run.search_options_.faster_than = (1.0 + effort.slower) * cost;
+  run.worth_length_ = (1.0 + effort.worth_length) * cost;
   run.follow(rows_);
   result_.statistics += planned.statistics;
   result_.interrupted = result_.interrupted || planned.interrupted;
   if (!run.found()) return true;
-  Path joined(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(from));
+  Path joined = workspace_.find.search.empty_path();
+  joined.insert(joined.end(), whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(from));
   joined.insert(joined.end(), run.best().begin(), run.best().end());
   joined.insert(joined.end(), whole.begin() + static_cast<std::ptrdiff_t>(to), whole.end());
   // The gear may change between parts too.
-  if (cusps_of(joined) > gear_changes_.most || cost_of(joined) >= best_cost_) return true;
+  if (cusps_of(joined) > gear_changes_.most || cost_of(joined) >= best_cost_) {
+    workspace_.find.search.reuse(std::move(joined));
+    return true;
+  }
   const RefineMode mode = std::ranges::any_of(joined, is_reversing) ? RefineMode::kBothGears : RefineMode::kForwards;
   keep(std::move(joined), {}, trials, mode);
   return false;

@@ -89,7 +89,8 @@ bool PlanRun::has_forward_path() const {
 
 bool PlanRun::holds(const When& when) {
   const PlanRequest& request = query_.request;
-  if (when.whole && scope_ == Scope::kPart) return false;
+  if (when.whole && scope_ != Scope::kWhole) return false;
+  if (!when.quick_parts && scope_ == Scope::kQuickPart) return false;
   if (when.driving == Driving::kForwards && request.reverse) return false;
   const bool is_there = found_ && best().empty();
   if (when.driving == Driving::kBothGears && (!request.reverse || is_there)) return false;
@@ -255,7 +256,7 @@ void PlanRun::keep_forwards(On on, FoundPath&& found, double trials) {
 }
 
 void PlanRun::note_first(const Path& path, double time) {
-  if (std::exchange(is_first_noted_, true)) return;
+  if (scope_ != Scope::kWhole || std::exchange(is_first_noted_, true)) return;
   result_.statistics.first_path_seconds = total_.seconds();
   result_.statistics.first_travel_time = time;
   result_.first_path = path;

@@ -8,6 +8,7 @@
 
 #include "arcway/path.h"
 #include "arcway/planner.h"
+#include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
 #include "core/motion/speed_profile.h"
 #include "core/planner/no_path.h"
@@ -47,8 +48,8 @@ struct PlanWorkspace {
 /// find, and keeps the cheapest. What that took is added to the result's statistics.
 class PlanRun {
  public:
-  /// What a query is for: see When::whole.
-  enum class Scope { kWhole, kPart };
+  /// What a query is for: see When::whole, When::quick_parts.
+  enum class Scope { kWhole, kPart, kQuickPart };
   /// All arguments must outlive this.
   PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result, Scope scope = Scope::kWhole);
 
@@ -136,6 +137,7 @@ class PlanRun {
   void take(const GrowSlimGearTrees& step, double trials);
   void take(const RefineBothGears& step, double trials);
   void take(const PlanParts& step, double trials);
+  void take(const PlanPartsQuickly& step, double trials);
 
   [[nodiscard]] const PlanMaps& maps_on(On on) const;
   [[nodiscard]] ForwardSearch& forward_search(On on);
@@ -165,9 +167,17 @@ class PlanRun {
   void refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
   // Keeps a path as the second best one if it is driven forwards. Takes its memory and leaves that of the one before.
   void keep_second(Path& path, double cost, const Unrefined& unrefined);
+  // How parts are planned again.
+  struct PartEffort {
+    Scope scope;
+    double gap;               // least gap of a part
+    double tree_share = 0.0;  // of PlanLimits::tree_poses
+    // See PlanPartsQuickly; infinite for PlanParts.
+    double slower = kInfinity, worth_length = kInfinity;
+  };
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
-  bool plan_in_vain(const PathPart& part, const PlanParts& step, double trials);
+  bool plan_in_vain(const PathPart& part, const PartEffort& effort, double trials);
   // The request for what lies between two joints of the best path, with the speeds of the profile there.
   [[nodiscard]] PlanRequest request_between(std::size_t from, std::size_t to) const;
   // Refines a path, unless that promises nothing, and keeps it if it is the cheapest one.
@@ -235,6 +245,7 @@ class PlanRun {
   bool are_trees_vain_ = false;                      // trees of a slimmer body found no path either
   std::optional<ReversingSearch> reversing_;
   bool is_refined_at_length_ = false;  // the best path, by RefineBest
+  double worth_length_ = kInfinity;    // a path that costs more is not refined at length [s]
   std::size_t kept_ = 0;               // number of paths that the search in both gears had found when its path was kept
   std::size_t grown_ = 0;              // number of paths that it had found when trees had found the last one
   bool are_slim_gears_grown_ = false;  // trees in both gears of slim bodies

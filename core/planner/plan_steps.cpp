@@ -368,7 +368,7 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
 }
 
 void PlanRun::take(const RefineBest& step, double trials) {
-  if (std::exchange(is_refined_at_length_, true)) return;
+  if (best_cost_ > worth_length_ || std::exchange(is_refined_at_length_, true)) return;
   const bool are_close = std::exchange(second_cost_, kInfinity) <= (1.0 + step.close) * best_cost_;
   refine_at_length(workspace_.best, best_unrefined_, trials);
   if (are_close) refine_at_length(workspace_.second, second_unrefined_, trials);

@@ -45,7 +45,8 @@ struct When {
   Driving driving = Driving::kAny;
   Radii radii = Radii::kAny;
   Care care = Care::kAny;
-  bool whole = false;             ///< the query is not one of PlanParts, of which a path is known
+  bool whole = false;             ///< the query is not one for a part of a path: PlanParts, PlanPartsQuickly
+  bool quick_parts = false;       ///< taken for parts of PlanPartsQuickly too; other rows are not
   bool refines = false;           ///< paths are refined
   bool has_speed_limits = false;  ///< zones of the map limit the speed
   bool has_one_way = false;       ///< zones of the map limit directions
@@ -231,13 +232,23 @@ struct PlanParts {
   double tree_share;                ///< of PlanLimits::tree_poses
   int most_failed;                  ///< number of parts in a row that bring nothing
 };
+/// Plans parts of the best path again, by the rows of When::quick_parts alone: some milliseconds for each part. Turns
+/// that were optimized join the roadmap at other places than those around vertices, and so other ways are found. None
+/// on maps of more than PlanMaps::kNarrowVertices vertices.
+struct PlanPartsQuickly {
+  std::span<const PathPart> parts;  ///< in order; each is one of the best path by then
+  double gap;                       ///< least gap of a part
+  std::size_t most_failed;          ///< number of parts in a row that bring nothing
+  double slower = 0.2;              ///< before refinement, than the part so far, at most this share
+  double worth_length = 0.02;       ///< refined at length if it is slower by at most this share
+};
 
-using Step =
-    std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
-                 ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
-                 FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
-                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, TryOtherSides, RefineBest, JoinBackwards,
-                 JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts>;
+using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
+                          JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
+                          GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers,
+                          TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii,
+                          TryOtherSides, RefineBest, JoinBackwards, JoinBetweenGears, GrowGearTrees,
+                          GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts, PlanPartsQuickly>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -150,6 +150,10 @@ struct StepText {
            " parts of the path again, in a narrow place or, if hard to find, with a gap > " +
            percent(step.forwards_gap) + ", in both gears > " + percent(step.both_gears_gap);
   }
+  std::string operator()(const PlanPartsQuickly& step) const {
+    return "plan up to " + std::to_string(step.parts.size()) + " parts of the path again by the quick rows, until " +
+           std::to_string(step.most_failed) + " in a row bring nothing";
+  }
   std::string operator()(const GrowNarrowGearTrees& step) const {
     return "grow trees in both gears for narrow places: " + std::to_string(step.poses) + " poses";
   }

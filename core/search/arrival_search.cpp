@@ -560,4 +560,10 @@ void ArrivalSearch::reuse(Path&& path) {
   if (memory_->paths.size() < kPaths) memory_->paths.push_back(std::move(path));
 }
 
+Path ArrivalSearch::empty_path() {
+  Path path = memory_->take_path();
+  path.clear();
+  return path;
+}
+
 }  // namespace arcway::internal

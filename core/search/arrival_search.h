@@ -65,6 +65,8 @@ class ArrivalSearch {
   void warm_up(std::size_t circles);
   /// Takes the memory of a path that a search returned.
   void reuse(Path&& path);
+  /// An empty path, with memory of one that was given back.
+  Path empty_path();
 
  private:
   struct Memory;
