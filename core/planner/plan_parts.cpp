@@ -33,26 +33,34 @@ bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kRe
 
 void PlanRun::take(const PlanParts& step, double trials) {
   keep_all();
-  if (!found_) return;
   const double elsewhere = query_.request.reverse ? step.both_gears_gap : step.forwards_gap;
   if (is_easy_ || !has_gap(best_cost_, is_narrow_ ? step.gap : elsewhere, true)) return;
-  int failed = 0;
-  for (const PathPart& part : step.parts) {
-    if (result_.interrupted || failed == step.most_failed || !has_gap(best_cost_, step.gap, true)) return;
-    failed = plan_in_vain(part, {Scope::kPart, step.gap, step.tree_share}, trials) ? failed + 1 : 0;
-  }
+  plan_parts(step.parts,
+             {.scope = Scope::kPart,
+              .gap = step.gap,
+              .most_failed = step.most_failed,
+              .best_gap = step.gap,
+              .tree_share = step.tree_share},
+             trials);
 }
 
 void PlanRun::take(const PlanPartsQuickly& step, double trials) {
   // Searches for parts have memory of their own.
-  if (map_.world.vertices().size() > PlanMaps::kNarrowVertices) return;
+  if (!is_worth_memory()) return;
   keep_all();
-  if (!found_) return;
-  const PartEffort effort{
-      .scope = Scope::kQuickPart, .gap = step.gap, .slower = step.slower, .worth_length = step.worth_length};
+  plan_parts(step.parts,
+             {.scope = Scope::kQuickPart,
+              .gap = step.gap,
+              .most_failed = step.most_failed,
+              .slower = step.slower,
+              .worth_length = step.worth_length},
+             trials);
+}
+
+void PlanRun::plan_parts(std::span<const PathPart> parts, const PartEffort& effort, double trials) {
   std::size_t failed = 0;
-  for (const PathPart& part : step.parts) {
-    if (result_.interrupted || failed == step.most_failed) return;
+  for (const PathPart& part : parts) {
+    if (result_.interrupted || failed == effort.most_failed || !has_gap(best_cost_, effort.best_gap, true)) return;
     failed = plan_in_vain(part, effort, trials) ? failed + 1 : 0;
   }
 }

@@ -36,6 +36,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
   search_options_.time_model = query.ends().is_moving() ? TimeModel::kProfile : query.options.time_model;
   search_options_.suboptimality = query.options.suboptimality.value_or(0.0);
   search_options_.prefetch = query.limits.prefetch;
+  workspace_.best.clear();
   workspace_.unrefined_costs.clear();
   workspace_.ways.clear();
   workspace_.find.search.begin_query();

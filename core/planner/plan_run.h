@@ -171,10 +171,13 @@ class PlanRun {
   struct PartEffort {
     Scope scope;
     double gap;               // least gap of a part
+    std::size_t most_failed;  // number of parts in a row that bring nothing
+    double best_gap = 0.0;    // least gap of the best path
     double tree_share = 0.0;  // of PlanLimits::tree_poses
     // See PlanPartsQuickly; infinite for PlanParts.
     double slower = kInfinity, worth_length = kInfinity;
   };
+  void plan_parts(std::span<const PathPart> parts, const PartEffort& effort, double trials);
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PartEffort& effort, double trials);
@@ -193,6 +196,8 @@ class PlanRun {
   void count(const RefinedPath& refined, double seconds);
   // A free path in both gears, from rest to rest, near one of a slim body; nothing if none is found.
   [[nodiscard]] std::optional<Path> pushed_free(const Path& path, const Pose& goal, const Vehicle& slim, double trials);
+  // Whether the map is so small that looking for a faster path may take memory of its own.
+  [[nodiscard]] bool is_worth_memory() const { return map_.world.vertices().size() <= PlanMaps::kNarrowVertices; }
   // The roadmap of a slim body: see SlimMaps. Null as well where a path is known and the map is large: it takes memory.
   [[nodiscard]] const Roadmap* slim_map(std::size_t body) const;
   // Appends a path from pose to pose.

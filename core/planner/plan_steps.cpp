@@ -153,8 +153,7 @@ bool PlanRun::holds(WhenSlim when) const {
 }
 
 const Roadmap* PlanRun::slim_map(std::size_t body) const {
-  const bool is_worth_memory = !has_path() || map_.world.vertices().size() <= PlanMaps::kNarrowVertices;
-  return is_worth_memory ? query_.maps.slim(body, query_.clock) : nullptr;
+  return !has_path() || is_worth_memory() ? query_.maps.slim(body, query_.clock) : nullptr;
 }
 
 void PlanRun::take(const GrowSlimTrees& step, double trials) {

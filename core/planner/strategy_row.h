@@ -230,7 +230,7 @@ struct PlanParts {
   double forwards_gap;              ///< least gap of the best path elsewhere, driven forwards
   double both_gears_gap;            ///< the same where the vehicle may reverse
   double tree_share;                ///< of PlanLimits::tree_poses
-  int most_failed;                  ///< number of parts in a row that bring nothing
+  std::size_t most_failed;          ///< number of parts in a row that bring nothing
 };
 /// Plans parts of the best path again, by the rows of When::quick_parts alone: some milliseconds for each part. Turns
 /// that were optimized join the roadmap at other places than those around vertices, and so other ways are found. None

@@ -101,6 +101,7 @@ struct ArrivalSearch::Memory {
     if (paths.empty()) return {};
     Path path = std::move(paths.back());
     paths.pop_back();
+    path.clear();
     return path;
   }
 
@@ -560,10 +561,6 @@ void ArrivalSearch::reuse(Path&& path) {
   if (memory_->paths.size() < kPaths) memory_->paths.push_back(std::move(path));
 }
 
-Path ArrivalSearch::empty_path() {
-  Path path = memory_->take_path();
-  path.clear();
-  return path;
-}
+Path ArrivalSearch::empty_path() { return memory_->take_path(); }
 
 }  // namespace arcway::internal
