@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "arcway/path.h"
 #include "arcway/stop_clock.h"
@@ -39,7 +40,8 @@ struct GearSearchOptions {
   const SpeedZones* speed_zones = nullptr;
   /// What driving close to obstacles costs on paths; null: nothing. The trees grow as if it were nothing.
   const ClearanceCost* clearance_cost = nullptr;
-  double rest_weight = kRestWeight;  ///< of trees for narrow places
+  double rest_weight = kRestWeight;    ///< of trees for narrow places
+  std::span<const Path> avoided = {};  ///< paths off which these trees keep, see RouteQuery
 };
 
 struct GearSearchResult {

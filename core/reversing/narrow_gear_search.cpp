@@ -66,7 +66,7 @@ class NarrowGearSearch {
   };
 
   [[nodiscard]] RouteField field(std::size_t to) const {
-    return {map_, roots_[kStartEnd], roots_[to], kFieldCells, options_.clock};
+    return {map_, {roots_[kStartEnd], roots_[to], kFieldCells, options_.avoided}, options_.clock};
   }
 
   [[nodiscard]] Side side(std::size_t at, double fineness) const {

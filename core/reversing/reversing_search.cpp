@@ -213,6 +213,7 @@ FoundPath ReversingSearch::grow_slim_gear_trees(const SlimTrees& slim, const Wid
   GearSearchOptions options = gear_options(slim.poses);
   options.cutoff = slim.most;
   options.rest_weight = slim.rest_weight;
+  options.avoided = slim.avoided;
   GearSearchResult grown = search_narrow_gears(slim.map, query_.start, query_.goal, options);
   if (grown.path) grown.path = widened(*grown.path, query_.goal);
   return taken(grown);

@@ -57,13 +57,17 @@ class ReversingSearch {
   struct SlimTrees {
     const Roadmap& map;  ///< of the slim body
     std::size_t poses;
-    double rest_weight;  ///< see GearSearchOptions
-    double most;         ///< cost of its path that is worth it [s]
+    double rest_weight;                  ///< see GearSearchOptions
+    double most;                         ///< cost of its path that is worth it [s]
+    std::span<const Path> avoided = {};  ///< see GearSearchOptions
   };
   /// Makes a path of a slim body, from rest to rest, one of the body itself; nothing if none is found.
   using Widen = std::function<std::optional<Path>(const Path& path, const Pose& goal)>;
   /// Searches by trees for narrow places, for a slim body, and makes its path one of the body itself.
   FoundPath grow_slim_gear_trees(const SlimTrees& slim, const Widen& widened);
+
+  /// The whole path over one from rest to rest, where the speeds at the ends are not 0.
+  [[nodiscard]] Path between_stops(const Path& path) const;
 
   /// Says what a path costs that is known from elsewhere: only cheaper ones are searched from now on.
   void cut_off(double cost) { cost_ = std::min(cost_, cost); }
@@ -88,8 +92,6 @@ class ReversingSearch {
   // Searches with options; a path found is driven in their gear.
   std::optional<Path> search(std::span<const Attachment> starts, std::span<const Attachment> goals,
                              const SearchOptions& options, FoundPath& found);
-  // A path between the stops with the ways to them.
-  [[nodiscard]] Path between_stops(const Path& path) const;
   // How the backward path between the ends themselves may begin or end, driven forwards.
   [[nodiscard]] std::vector<Attachment> end_alone(Direction direction) const;
   // Least cost from rest to rest of a path of at least this length.

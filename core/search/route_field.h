@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "arcway/path.h"
@@ -10,6 +11,16 @@
 #include "core/attach/roadmap.h"
 
 namespace arcway::internal {
+
+/// The grid of a RouteField, and where its routes lead.
+struct RouteQuery {
+  Pose frame;              ///< of the grid: a pose of the query, such as its start
+  Pose to;                 ///< the pose to which routes lead; its heading matters once routes turn
+  std::size_t most_cells;  ///< largest number of cells of the grid
+  /// Steps near one of these paths count as longer, and as longer again near another one: routes mostly take other
+  /// ways where there are any. Used during the construction only.
+  std::span<const Path> avoided = {};
+};
 
 /// Estimates of the length of routes from anywhere to a pose, around obstacles and not through gaps too narrow for the
 /// body. They guide searches and prove nothing. Dijkstra's algorithm runs over a grid whose steps cross neither an
@@ -19,12 +30,8 @@ class RouteField {
  public:
   /// The grid lies in the frame of a pose. A map that is moved and turned with its poses has the same field. O(cells
   /// log cells + edges).
-  /// @param frame  a pose of the query, such as its start.
-  /// @param to  the pose to which routes lead; its heading matters once routes turn.
-  /// @param most_cells  largest number of cells of the grid.
   /// @param clock  may end the construction; the rest of the grid, or all of it, then has no routes.
-  RouteField(const Roadmap& map, const Pose& frame, const Pose& to, std::size_t most_cells,
-             const StopClock& clock = {});
+  RouteField(const Roadmap& map, const RouteQuery& query, const StopClock& clock = {});
 
   /// Makes routes turn with a radius [m] from now on. O(cells log cells), some ten times as long as the constructor.
   void heed_turns(double radius, const StopClock& clock = {});
@@ -42,6 +49,7 @@ class RouteField {
   void lay_out(const Roadmap& map, std::size_t most_cells, const StopClock& clock);
   void add_walls(const Roadmap& map, const StopClock& clock);
   void add_wall(const Vec2& a, const Vec2& b);
+  void avoid(std::span<const Path> paths, double within, const StopClock& clock);
   void spread(const StopClock& clock);
   [[nodiscard]] double without_turns(const Vec2& from) const;
   // Whether a step to one of the eight neighboring cells is possible.
@@ -52,6 +60,10 @@ class RouteField {
     return cells_[static_cast<std::size_t>(y * width_ + x)];
   }
   [[nodiscard]] Cell& at(std::int64_t x, std::int64_t y) { return cells_[static_cast<std::size_t>(y * width_ + x)]; }
+  // By how much a step to a cell counts as longer.
+  [[nodiscard]] float factor_at(std::int64_t x, std::int64_t y) const {
+    return factors_.empty() ? 1.0F : factors_[static_cast<std::size_t>(y * width_ + x)];
+  }
   // A position in units of cells.
   [[nodiscard]] Vec2 in_grid(const Vec2& p) const;
 
@@ -78,6 +90,8 @@ class RouteField {
   std::int64_t width_ = 0, height_ = 0;
   double longest_ = 0.0;
   std::vector<Cell> cells_;
+  std::vector<float> factors_;  // by cell; empty: none is avoided
+  float largest_factor_ = 1.0F;
 };
 
 }  // namespace arcway::internal

@@ -92,8 +92,10 @@ class TreeSearch {
 
   [[nodiscard]] RouteField field(std::size_t to) const {
     const Pose& pose = roots_[to];
-    return {map_, roots_[kStartEnd], to == kGoalEnd ? pose : turned_round(pose), limits_.effort.field_cells,
-            options_.clock};
+    return {
+        map_,
+        {roots_[kStartEnd], to == kGoalEnd ? pose : turned_round(pose), limits_.effort.field_cells, limits_.avoided},
+        options_.clock};
   }
 
   [[nodiscard]] Side side(std::size_t at, const TreePass& pass) const {

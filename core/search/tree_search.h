@@ -24,6 +24,7 @@ struct TreeLimits {
   /// Makes the wanted path of one that is found, or refuses it by returning nothing; the search then continues. Empty:
   /// any path will do.
   std::function<std::optional<Path>(const Path&)> accept = {};
+  std::span<const Path> avoided = {};  ///< paths off which the trees keep, see RouteQuery
 };
 
 /// What trees grow between. The map must outlive the search.
