@@ -67,8 +67,6 @@ bool PlanRun::holds(Known known) const {
       return has_path();
     case Known::kForwardPath:
       return has_forward_path();
-    case Known::kHard:
-      return has_forward_path() && !is_easy_;
     case Known::kByTrees:
       return has_forward_path() && (is_first_of_trees_ || is_narrow_);
     case Known::kByManeuvers:
@@ -232,8 +230,10 @@ PlanRun::Times PlanRun::keep(Path&& path, const Way& way, double trials, RefineM
     is_refined_at_length_ = false;
     s.unrefined_travel_time = time;
     found_ = true;
-  } else if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_) {
-    keep_second(workspace_.refined.path, cost, {time, unrefined});
+  } else {
+    if (!avoided_.empty()) avoided_.push_back(workspace_.refined.path);
+    if (cost < second_cost_ && cost > (1.0 + kSameCost) * best_cost_)
+      keep_second(workspace_.refined.path, cost, {time, unrefined});
   }
   return {unrefined, cost};
 }

@@ -135,6 +135,8 @@ class PlanRun {
   void take(const GrowGearTrees& step, double trials);
   void take(const GrowNarrowGearTrees& step, double trials);
   void take(const GrowSlimGearTrees& step, double trials);
+  void take(const TryOtherWays& step, double trials);
+  void take(const TryOtherWaysInBothGears& step, double trials);
   void take(const RefineBothGears& step, double trials);
   void take(const PlanParts& step, double trials);
   void take(const PlanPartsQuickly& step, double trials);
@@ -144,6 +146,9 @@ class PlanRun {
   [[nodiscard]] ReversingSearch& reversing_search();
   // As known when first asked for.
   [[nodiscard]] const WithoutZones& without_zones();
+  // Grows trees, and keeps the path that they find unless it is too slow. Returns whether they have found one.
+  bool grow(const GrowTrees& step, double trials);
+  bool grow(const GrowSlimTrees& step, double trials);
   // Runs a search, and counts what it did.
   template <class Find>
   FoundPath search(const Find& find);
@@ -162,9 +167,9 @@ class PlanRun {
   // Keeps the cheapest path of the search in both gears, unless it was kept.
   void keep_in_both_gears();
   void keep_from_both_gears(const Path& path);
-  // Refines a path further, and keeps it if it is the cheapest one then.
+  // Refines a path further, and keeps it if it is the cheapest one then. Returns whether it is.
   // `unrefined`: of the path.
-  void refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
+  bool refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
   // Keeps a path as the second best one if it is driven forwards. Takes its memory and leaves that of the one before.
   void keep_second(Path& path, double cost, const Unrefined& unrefined);
   // How parts are planned again.
@@ -251,6 +256,7 @@ class PlanRun {
   std::optional<ReversingSearch> reversing_;
   bool is_refined_at_length_ = false;  // the best path, by RefineBest
   double worth_length_ = kInfinity;    // a path that costs more is not refined at length [s]
+  std::vector<Path> avoided_;          // paths off which trees keep, if any
   std::size_t kept_ = 0;               // number of paths that the search in both gears had found when its path was kept
   std::size_t grown_ = 0;              // number of paths that it had found when trees had found the last one
   bool are_slim_gears_grown_ = false;  // trees in both gears of slim bodies
@@ -259,5 +265,21 @@ class PlanRun {
   bool is_first_of_trees_ = false;  // the first path was found by trees of the body itself
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };
+
+template <class Find>
+FoundPath PlanRun::search(const Find& find) {
+  const Stopwatch searching;
+  FoundPath found = find();
+  PlanStatistics& s = result_.statistics;
+  const SearchCounts& counts = found.search.counts;
+  s.nodes_expanded += counts.nodes_expanded;
+  s.nodes_pushed += counts.nodes_pushed;
+  s.straights_checked += counts.straights_checked;
+  s.turns_checked += counts.turns_checked;
+  s.maneuver_poses += found.maneuver_poses;
+  s.search_seconds += searching.seconds();
+  result_.interrupted = result_.interrupted || found.search.interrupted;
+  return found;
+}
 
 }  // namespace arcway::internal

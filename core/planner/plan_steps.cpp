@@ -32,26 +32,7 @@ std::optional<Footprint> rectangle_in_body(const Roadmap& map) {
 
 }  // namespace
 
-template <class Find>
-FoundPath PlanRun::search(const Find& find) {
-  const Stopwatch searching;
-  FoundPath found = find();
-  PlanStatistics& s = result_.statistics;
-  const SearchCounts& counts = found.search.counts;
-  s.nodes_expanded += counts.nodes_expanded;
-  s.nodes_pushed += counts.nodes_pushed;
-  s.straights_checked += counts.straights_checked;
-  s.turns_checked += counts.turns_checked;
-  s.maneuver_poses += found.maneuver_poses;
-  s.search_seconds += searching.seconds();
-  result_.interrupted = result_.interrupted || found.search.interrupted;
-  return found;
-}
-
-const PlanMaps& PlanRun::maps_on(On on) const {
-  if (on == On::kInUse) return *maps_;
-  return on == On::kTightest ? *query_.maps.tightest : query_.maps.all;
-}
+const PlanMaps& PlanRun::maps_on(On on) const { return on == On::kTightest ? *query_.maps.tightest : query_.maps.all; }
 
 ForwardSearch& PlanRun::forward_search(On on) {
   assert(on != On::kInUse);
@@ -120,8 +101,10 @@ void PlanRun::take(const ProveEnclosure& step, double) {
   has_proof_ = why_.enclosure.has_value();
 }
 
-void PlanRun::take(const GrowTrees& step, double trials) {
-  if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return;
+void PlanRun::take(const GrowTrees& step, double trials) { grow(step, trials); }
+
+bool PlanRun::grow(const GrowTrees& step, double trials) {
+  if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return false;
   const PlanMaps& maps = maps_on(step.on);
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
   SearchOptions options = search_options_;
@@ -133,18 +116,21 @@ void PlanRun::take(const GrowTrees& step, double trials) {
                     .passes = step.passes,
                     .effort = kTreeEffort,
                     .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
-                    .dead_end_passes = kDeadEndPasses};
+                    .dead_end_passes = kDeadEndPasses,
+                    .avoided = avoided_};
   if (step.only_faster) limits.accept = if_faster;
   TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees({map, query_.request.start, query_.request.goal, limits}, options, workspace_.find.search, end);
+    return search_trees({map, query_.request.start, query_.request.goal, limits}, search_options_,
+                        workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
-  if (!grown.search.path) return;
+  if (!grown.search.path) return false;
   is_first_of_trees_ = is_first_of_trees_ || !has_path();
   keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials);
+  return true;
 }
 
 bool PlanRun::holds(WhenSlim when) const {
@@ -156,11 +142,13 @@ const Roadmap* PlanRun::slim_map(std::size_t body) const {
   return !has_path() || is_worth_memory() ? query_.maps.slim(body, query_.clock) : nullptr;
 }
 
-void PlanRun::take(const GrowSlimTrees& step, double trials) {
+void PlanRun::take(const GrowSlimTrees& step, double trials) { grow(step, trials); }
+
+bool PlanRun::grow(const GrowSlimTrees& step, double trials) {
   const StopClock& clock = query_.clock;
-  if (are_trees_vain_ || !holds(step.when)) return;
+  if (are_trees_vain_ || !holds(step.when)) return false;
   const Roadmap* slim = slim_map(step.body);
-  if (!slim) return;
+  if (!slim) return false;
   const Pose& goal = query_.request.goal;
   const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
   const auto widened = [&](const Path& path) -> std::optional<Path> {
@@ -177,7 +165,8 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
                           // Where the real body gets out, a slimmer one does.
                           .surroundings_effort = surroundings_ == Surroundings::kOpen ? nullptr : &kSurroundingsEffort,
                           .dead_end_passes = kDeadEndPasses,
-                          .accept = widened};
+                          .accept = widened,
+                          .avoided = avoided_};
   TreesEnd end;
   FoundPath grown = search([&] {
     return search_trees({*slim, query_.request.start, goal, limits}, search_options_, workspace_.find.search, end);
@@ -187,8 +176,10 @@ void PlanRun::take(const GrowSlimTrees& step, double trials) {
   is_path_refused_ = end.refused > 0;
   are_trees_vain_ = !is_path_refused_ && is_hopeless;
   is_narrow_ = is_narrow_ || (!has_path() && grown.search.path);
-  if (!grown.search.path || cost_of(*grown.search.path) > (1.0 + step.slower) * best_cost_) return;
-  keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
+  if (!grown.search.path) return false;
+  if (cost_of(*grown.search.path) <= (1.0 + step.slower) * best_cost_)
+    keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
+  return true;
 }
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
@@ -373,14 +364,15 @@ void PlanRun::take(const RefineBest& step, double trials) {
   if (are_close) refine_at_length(workspace_.second, second_unrefined_, trials);
 }
 
-void PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, double trials) {
+bool PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, double trials) {
   refine(path, trials, RefineMode::kAtLength);
   const double cost = cost_of(workspace_.refined.path);
-  if (cost >= best_cost_) return;
+  if (cost >= best_cost_) return false;
   std::swap(workspace_.best, workspace_.refined.path);
   best_cost_ = cost;
   best_unrefined_ = unrefined;
   result_.statistics.unrefined_travel_time = unrefined.time;
+  return true;
 }
 
 ReversingSearch& PlanRun::reversing_search() {

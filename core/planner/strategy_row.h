@@ -25,7 +25,6 @@ enum class Known {
   kNoPath,         ///< no path at all
   kPath,           ///< some path
   kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
-  kHard,           ///< such a path, where single arcs of few radii did not find the first one
   kByTrees,        ///< such a path, where trees found the first one
   kByManeuvers,    ///< such a path, found on the roadmap in use by maneuvers at both ends
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
@@ -214,6 +213,22 @@ struct GrowSlimGearTrees {
   bool again = false;
   double rest_weight = kRestWeight;  ///< see GearSearchOptions
 };
+/// Looks for paths of other ways, driven forwards: trees keep off those so far, see RouteQuery. In each round, trees of
+/// both slim bodies and of the body grow as those of GrowSlimTrees and GrowTrees do. None on maps of more than
+/// PlanMaps::kNarrowVertices vertices.
+struct TryOtherWays {
+  std::span<const TreePass> passes;
+  std::size_t rounds;         ///< the best path is avoided once more in each
+  std::uint32_t shortenings;  ///< as for GrowTrees
+  double slower;              ///< as for GrowSlimTrees
+  double several_gap;         ///< least gap of the best path where there are several radii
+};
+/// Looks for paths of other ways in both gears: narrow trees of a slim body keep off those so far. As TryOtherWays.
+struct TryOtherWaysInBothGears {
+  std::size_t poses;   ///< of both ends together, in each round
+  std::size_t rounds;  ///< as for TryOtherWays
+  double slower;       ///< than the best path, at most this share, before refinement
+};
 /// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
 struct RefineBothGears {};
 /// A part of a path, in shares of its travel time.
@@ -243,12 +258,13 @@ struct PlanPartsQuickly {
   double worth_length = 0.02;       ///< refined at length if it is slower by at most this share
 };
 
-using Step = std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers,
-                          JoinByManeuversAndNarrowPlaces, ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees,
-                          GrowSlimTrees, RaiseLowerBound, FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers,
-                          TryNarrowPlaces, TryOtherLastCircle, TryOtherFirstCircle, TryOtherTurns, TryOtherRadii,
-                          TryOtherSides, RefineBest, JoinBackwards, JoinBetweenGears, GrowGearTrees,
-                          GrowNarrowGearTrees, GrowSlimGearTrees, RefineBothGears, PlanParts, PlanPartsQuickly>;
+using Step =
+    std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
+                 ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
+                 FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
+                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, TryOtherSides, RefineBest, JoinBackwards,
+                 JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, TryOtherWays,
+                 TryOtherWaysInBothGears, RefineBothGears, PlanParts, PlanPartsQuickly>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -24,8 +24,6 @@ const char* text_of(Known known) {
       return "a path";
     case Known::kForwardPath:
       return "a forward path";
-    case Known::kHard:
-      return "a forward path, the first one not by single arcs of few radii";
     case Known::kByTrees:
       return "a forward path, the first one by trees";
     case Known::kByManeuvers:
@@ -153,6 +151,15 @@ struct StepText {
   std::string operator()(const PlanPartsQuickly& step) const {
     return "plan up to " + std::to_string(step.parts.size()) + " parts of the path again by the quick rows, until " +
            std::to_string(step.most_failed) + " in a row bring nothing";
+  }
+  std::string operator()(const TryOtherWays& step) const {
+    return "grow trees of slim bodies and of the body that keep off the paths so far, in " +
+           std::to_string(step.rounds) + " rounds; where there are several radii, with a gap > " +
+           percent(step.several_gap);
+  }
+  std::string operator()(const TryOtherWaysInBothGears& step) const {
+    return "grow trees in both gears of a slim body that keep off the paths so far: " + std::to_string(step.rounds) +
+           " rounds of " + std::to_string(step.poses) + " poses";
   }
   std::string operator()(const GrowNarrowGearTrees& step) const {
     return "grow trees in both gears for narrow places: " + std::to_string(step.poses) + " poses";

@@ -1,0 +1,69 @@
+// The steps of PlanRun that look for other ways by trees that keep off the paths so far.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/planner/plan_run.h"
+#include "core/planner/strategy.h"
+
+namespace arcway::internal {
+
+void PlanRun::take(const TryOtherWays& step, double trials) {
+  if (!is_worth_memory()) return;
+  if (query_.maps.tightest && !has_gap(best_cost_, step.several_gap, true)) return;
+  const GrowSlimTrees slim{.passes = step.passes, .shortenings = step.shortenings, .slower = step.slower};
+  GrowSlimTrees less_slim = slim;
+  less_slim.body = 1;
+  const GrowTrees body{.on = On::kAllRadii, .share = 1.0, .passes = step.passes, .shortenings = step.shortenings};
+  std::vector<double> costs{best_cost_};
+  // Whether trees find a path whose cost is new. Where they do not, they would find the same paths again.
+  const auto find_new = [&](const auto& trees) {
+    const std::size_t known = avoided_.size();
+    const double best = best_cost_;
+    if (!grow(trees, trials)) return false;
+    if (best_cost_ == best && avoided_.size() == known) return true;  // it was too slow to be refined
+    const double cost = best_cost_ < best ? best_cost_ : cost_of(avoided_.back());
+    const bool is_new =
+        std::ranges::none_of(costs, [&](double other) { return std::abs(cost - other) <= kSameWay * cost; });
+    costs.push_back(cost);
+    return is_new;
+  };
+  bool slim_finds = true, less_slim_finds = true, body_finds = true;
+  for (std::size_t i = 0; i < step.rounds && !result_.interrupted; ++i) {
+    avoided_.push_back(best());
+    slim_finds = slim_finds && find_new(slim);
+    less_slim_finds = less_slim_finds && find_new(less_slim);
+    body_finds = body_finds && find_new(body);
+  }
+  avoided_.clear();
+}
+
+void PlanRun::take(const TryOtherWaysInBothGears& step, double trials) {
+  keep_all();
+  const Roadmap* slim = slim_map(0);
+  if (!slim) return;
+  const auto keep_widened = [&](const Path& path, const Pose& goal) -> std::optional<Path> {
+    const std::optional<Path> free = pushed_free(path, goal, slim->vehicle, trials);
+    if (!free) return std::nullopt;
+    Path whole = reversing_->between_stops(*free);
+    if (cost_of(whole) <= (1.0 + step.slower) * best_cost_)
+      keep(std::move(whole), {}, trials, RefineMode::kBothGears);
+    else
+      avoided_.push_back(std::move(whole));
+    return std::nullopt;  // kept, though the first path may cost less before refinement
+  };
+  for (std::size_t i = 0; i < step.rounds && !result_.interrupted; ++i) {
+    avoided_.push_back(best());
+    const double most = (1.0 + step.slower) * best_cost_;
+    search([&] {
+      return reversing_search().grow_slim_gear_trees({*slim, step.poses, kRestWeight, most, avoided_}, keep_widened);
+    });
+  }
+  avoided_.clear();
+}
+
+}  // namespace arcway::internal
