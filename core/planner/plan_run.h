@@ -130,6 +130,7 @@ class PlanRun {
   void take(const TryOtherRadii& step, double trials);
   void take(const TryOtherSides& step, double trials);
   void take(const RefineBest& step, double trials);
+  void take(const JoinArcs& step, double trials);
   void take(const JoinBackwards& step, double trials);
   void take(const JoinBetweenGears& step, double trials);
   void take(const GrowGearTrees& step, double trials);

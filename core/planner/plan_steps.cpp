@@ -13,6 +13,7 @@
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/strategy.h"
+#include "core/refine/join_arcs.h"
 #include "core/refine/shorten_path.h"
 #include "core/search/one_way_routes.h"
 #include "core/search/push_free.h"
@@ -373,6 +374,18 @@ bool PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, dou
   best_unrefined_ = unrefined;
   result_.statistics.unrefined_travel_time = unrefined.time;
   return true;
+}
+
+void PlanRun::take(const JoinArcs& step, double trials) {
+  if (std::ranges::any_of(best(), [](const PathSegment& s) { return s.gear == Gear::kReverse; })) return;
+  const PathCosts costs{query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()};
+  for (std::size_t i = 0; i < step.rounds; ++i) {
+    const Path fewer = join_arcs(best(), map_.vehicle, *map_.queries.sweep, query_.clock, costs);
+    if (fewer.size() >= best().size()) return;
+    refine(fewer, 1.0, RefineMode::kForwards);
+    const Path refined = workspace_.refined.path;
+    if (!refine_at_length(refined, best_unrefined_, trials)) return;
+  }
 }
 
 ReversingSearch& PlanRun::reversing_search() {

@@ -445,6 +445,12 @@ inline constexpr StrategyRow kStrategy[] = {
      {.known = Known::kForwardPath, .radii = Radii::kTightest, .whole = true, .refines = true, .best_gap = 0.3},
      RefineBest{kCloseSecond},
      {.tightest = 24.0}},
+    // Of 72 driven worlds near their drives, it makes 29 faster by more than 0.1 %, 3 by more than 1 %, for 6 % more of
+    // all the time.
+    {"fewer arcs",
+     {.known = Known::kForwardPath, .whole = true, .refines = true, .best_gap = 0.5},
+     JoinArcs{.rounds = 2},
+     {.tightest = 24.0, .several = 24.0}},
 };
 
 /// Largest share by which a path that is driven forwards may cost more than one in both gears if it is to be improved.

@@ -186,6 +186,10 @@ struct TryOtherSides {
 struct RefineBest {
   double close;
 };
+/// Drives the best path in fewer arcs, and refines it then, at length too: join_arcs.
+struct JoinArcs {
+  std::size_t rounds;  ///< at most; another one follows if the one before made the path faster
+};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.
@@ -262,7 +266,7 @@ using Step =
     std::variant<JoinBySingleArcs, FindSoon, JoinByNarrowPlaces, JoinByManeuvers, JoinByManeuversAndNarrowPlaces,
                  ProveBottleneck, ProveDeadEnd, ProveEnclosure, GrowTrees, GrowSlimTrees, RaiseLowerBound,
                  FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
-                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, TryOtherSides, RefineBest, JoinBackwards,
+                 TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, TryOtherSides, RefineBest, JoinArcs, JoinBackwards,
                  JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, TryOtherWays,
                  TryOtherWaysInBothGears, RefineBothGears, PlanParts, PlanPartsQuickly>;
 

@@ -86,6 +86,14 @@ TEST(PlanSteps, LookForOtherWaysByTreesInBothGears) {
   expect_faster_than_the_drive_by_its_row(way, 1.0, {});
 }
 
+// Trees lead along a bend in many short arcs, which are hardly optimized.
+TEST(PlanSteps, DriveInFewerArcs) {
+  const Narrow way{"driven/hugging/r7/g1/c50/s16357", "fewer arcs", false};
+  const PlanResult few = plan(way, {}), many = plan(way, {way.row});
+  ASSERT_TRUE(few.solved() && many.solved());
+  EXPECT_LT(few.travel_time, 0.995 * many.travel_time);
+}
+
 // Trees for narrow places take what they find first.
 TEST(PlanSteps, PlanPartsOfANarrowWayAgain) {
   const Narrow way{"driven/carved/r1/g2/c50/s5058", "parts planned again", true};
