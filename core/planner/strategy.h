@@ -419,11 +419,10 @@ inline constexpr StrategyRow kStrategy[] = {
      {.known = Known::kPath, .whole = true, .refines = true, .best_gap = 0.4},
      PlanPartsQuickly{.parts = kQuickParts, .gap = 0.3, .most_failed = kQuickParts.size()},
      kUntilCompared},
-    // Refinement leaves a path on its way. Trees that keep off the paths so far show others. Of 11 driven worlds where
-    // plans were slower than the drive, all but 2 no longer are, one by 37 %. Of 1,199 driven worlds, with `fewer
-    // arcs`,
-    // these rows make 101 faster by more than 1 %, and 28 slower by more than 0.05 %, by up to 5 %. Single trees, twice
-    // as many rounds, other weights or shares find less in the same time.
+    // Refinement leaves a path on its way. Trees that keep off the paths so far show others. Of 10 driven worlds where
+    // plans were slower than the drive, 8 no longer are, one by 37 %. Of 1,199 driven worlds, with `fewer arcs`, these
+    // rows make 101 faster by more than 1 %, and 32 slower by more than 0.05 %, by up to 5 %. Twice as many rounds find
+    // nothing more.
     {"other ways by trees", slow_forwards(Driving::kForwards, 0.35), kOtherWays, kUntilCompared},
     {"other ways by trees", slow_forwards(Driving::kBothGears, 0.6), kOtherWays, kUntilCompared},
     // Paths around vertices take the long way where wide turns between obstacles are free. Few poses, some
