@@ -33,7 +33,10 @@ std::optional<Footprint> rectangle_in_body(const Roadmap& map) {
 
 }  // namespace
 
-const PlanMaps& PlanRun::maps_on(On on) const { return on == On::kTightest ? *query_.maps.tightest : query_.maps.all; }
+const PlanMaps& PlanRun::maps_on(On on) const {
+  if (on == On::kInUse) return *maps_;
+  return on == On::kTightest ? *query_.maps.tightest : query_.maps.all;
+}
 
 ForwardSearch& PlanRun::forward_search(On on) {
   assert(on != On::kInUse);
@@ -122,8 +125,7 @@ bool PlanRun::grow(const GrowTrees& step, double trials) {
   if (step.only_faster) limits.accept = if_faster;
   TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees({map, query_.request.start, query_.request.goal, limits}, search_options_,
-                        workspace_.find.search, end);
+    return search_trees({map, query_.request.start, query_.request.goal, limits}, options, workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;
