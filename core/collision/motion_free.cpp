@@ -20,9 +20,13 @@ bool turn_free(const SweepQuery& sweep, const Body& body, const PathSegment& tur
 }
 
 bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion) {
+  HeadingSet headings;
+  return motion_free(sweep, body, motion, headings);
+}
+
+bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion, HeadingSet& headings) {
   for (const PathSegment& s : motion)
     if (s.is_line() && !sweep.straight_free({s.forwards().start, s.length, body, s.gear})) return false;
-  HeadingSet headings;
   return std::ranges::all_of(motion, [&](const PathSegment& segment) {
     return segment.is_line() || turn_free(sweep, body, segment, headings);
   });

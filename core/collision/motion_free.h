@@ -13,6 +13,8 @@ namespace arcway::internal {
 /// interval of free headings on each arc. As exact as the sweep query, without steps. Lines are asked first, as they
 /// cost less.
 bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion);
+/// @param headings  memory that is used again.
+bool motion_free(const SweepQuery& sweep, const Body& body, std::span<const PathSegment> motion, HeadingSet& headings);
 
 /// A body that drives an arc forwards.
 TurningBody turning_body(const PathSegment& arc, const Body& body);

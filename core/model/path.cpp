@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
 #include "arcway/angle.h"
+#include "core/model/merge_motions.h"
 #include "core/model/pose_text.h"
 
 namespace arcway {
@@ -83,11 +85,17 @@ Path reversed(std::span<const PathSegment> path) {
 }
 
 Path merged(std::span<const PathSegment> path) {
-  Path whole;
-  whole.reserve(path.size());
-  for (const PathSegment& next : path) {
-    if (!whole.empty()) {
-      PathSegment& last = whole.back();
+  Path whole(path.begin(), path.end());
+  internal::merge_motions(whole);
+  return whole;
+}
+
+void internal::merge_motions(Path& path) {
+  std::size_t count = 0;  // of segments so far
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const PathSegment next = path[i];
+    if (count > 0) {
+      PathSegment& last = path[count - 1];
       const double length = last.length + next.length;
       if (next.gear == last.gear && next.curvature == last.curvature && length * std::abs(next.curvature) < kTwoPi &&
           std::abs(wrap_signed(next.start.heading - last.end().heading)) <= kSameHeading) {
@@ -95,9 +103,9 @@ Path merged(std::span<const PathSegment> path) {
         continue;
       }
     }
-    whole.push_back(next);
+    path[count++] = next;
   }
-  return whole;
+  path.erase(path.begin() + static_cast<std::ptrdiff_t>(count), path.end());
 }
 
 std::string to_string(const Pose& pose) { return shortest_text(pose); }

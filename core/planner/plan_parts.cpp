@@ -27,8 +27,6 @@ std::size_t joint_next_to(double time, std::span<const double> durations) {
   return durations.size();
 }
 
-bool is_reversing(const PathSegment& segment) { return segment.gear == Gear::kReverse; }
-
 }  // namespace
 
 void PlanRun::take(const PlanParts& step, double trials) {
@@ -118,7 +116,7 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PartEffort& effort, doubl
     workspace_.find.search.reuse(std::move(joined));
     return true;
   }
-  const RefineMode mode = std::ranges::any_of(joined, is_reversing) ? RefineMode::kBothGears : RefineMode::kForwards;
+  const RefineMode mode = is_driven_forwards(joined) ? RefineMode::kForwards : RefineMode::kBothGears;
   keep(std::move(joined), {}, trials, mode);
   return false;
 }

@@ -238,9 +238,12 @@ PlanRun::Times PlanRun::keep(Path&& path, const Way& way, double trials, RefineM
   return {unrefined, cost};
 }
 
+bool PlanRun::is_driven_forwards(const Path& path) {
+  return std::ranges::all_of(path, [](const PathSegment& s) { return s.gear == Gear::kForward; });
+}
+
 void PlanRun::keep_second(Path& path, double cost, const Unrefined& unrefined) {
-  const auto is_forwards = [](const PathSegment& s) { return s.gear == Gear::kForward; };
-  if (!std::ranges::all_of(path, is_forwards)) return;
+  if (!is_driven_forwards(path)) return;
   std::swap(workspace_.second, path);
   second_cost_ = cost;
   second_unrefined_ = unrefined;

@@ -14,6 +14,7 @@
 #include "core/planner/no_path.h"
 #include "core/planner/query_context.h"
 #include "core/planner/strategy_row.h"
+#include "core/refine/join_arcs.h"
 #include "core/refine/refine_path.h"
 #include "core/reversing/refine_reversing.h"
 #include "core/reversing/reversing_search.h"
@@ -36,6 +37,8 @@ struct PlanWorkspace {
   PathRefiner refiner;
   RefinedPath refined;
   Path best, second;
+  ArcJoiner joiner;
+  Path fewer;  // the best path in fewer arcs, refined
   SpeedProfile profile;
   std::vector<double> unrefined_costs;  // of all paths found so far, before refinement, without gear changes [s]
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
@@ -171,8 +174,11 @@ class PlanRun {
   // Refines a path further, and keeps it if it is the cheapest one then. Returns whether it is.
   // `unrefined`: of the path.
   bool refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
+  // Drives the best path in fewer arcs, and refines it then, at length too. Returns whether that made it faster.
+  bool drive_in_fewer_arcs(double trials);
   // Keeps a path as the second best one if it is driven forwards. Takes its memory and leaves that of the one before.
   void keep_second(Path& path, double cost, const Unrefined& unrefined);
+  [[nodiscard]] static bool is_driven_forwards(const Path& path);
   // How parts are planned again.
   struct PartEffort {
     Scope scope;

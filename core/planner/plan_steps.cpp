@@ -13,7 +13,6 @@
 #include "core/motion/travel_time_lower_bound.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/strategy.h"
-#include "core/refine/join_arcs.h"
 #include "core/refine/shorten_path.h"
 #include "core/search/one_way_routes.h"
 #include "core/search/push_free.h"
@@ -363,6 +362,8 @@ void PlanRun::try_other_route(const Roadmap& map, std::size_t poses, SearchOptio
 void PlanRun::take(const RefineBest& step, double trials) {
   if (best_cost_ > worth_length_ || std::exchange(is_refined_at_length_, true)) return;
   const bool are_close = std::exchange(second_cost_, kInfinity) <= (1.0 + step.close) * best_cost_;
+  const bool is_far = refines() && scope_ == Scope::kWhole && has_gap(best_cost_, step.fewer_arcs_gap, true);
+  if (is_far) drive_in_fewer_arcs(trials);
   refine_at_length(workspace_.best, best_unrefined_, trials);
   if (are_close) refine_at_length(workspace_.second, second_unrefined_, trials);
 }
@@ -378,16 +379,19 @@ bool PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, dou
   return true;
 }
 
-void PlanRun::take(const JoinArcs& step, double trials) {
-  if (std::ranges::any_of(best(), [](const PathSegment& s) { return s.gear == Gear::kReverse; })) return;
-  const PathCosts costs{query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()};
-  for (std::size_t i = 0; i < step.rounds; ++i) {
-    const Path fewer = join_arcs(best(), map_.vehicle, *map_.queries.sweep, query_.clock, costs);
-    if (fewer.size() >= best().size()) return;
-    refine(fewer, 1.0, RefineMode::kForwards);
-    const Path refined = workspace_.refined.path;
-    if (!refine_at_length(refined, best_unrefined_, trials)) return;
-  }
+void PlanRun::take(const JoinArcs&, double trials) { drive_in_fewer_arcs(trials); }
+
+bool PlanRun::drive_in_fewer_arcs(double trials) {
+  if (!is_driven_forwards(best())) return false;
+  const Path& fewer =
+      workspace_.joiner.join(best(), {map_.vehicle,
+                                      *map_.queries.sweep,
+                                      query_.clock,
+                                      {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()}});
+  if (fewer.size() >= best().size()) return false;
+  refine(fewer, 1.0, RefineMode::kForwards);
+  std::swap(workspace_.fewer, workspace_.refined.path);
+  return refine_at_length(workspace_.fewer, best_unrefined_, trials);
 }
 
 ReversingSearch& PlanRun::reversing_search() {

@@ -185,11 +185,11 @@ struct TryOtherSides {
 /// cheaper one then.
 struct RefineBest {
   double close;
+  /// Gap from which on the best path of a whole query is driven in fewer arcs before that: see JoinArcs.
+  double fewer_arcs_gap = std::numeric_limits<double>::infinity();
 };
-/// Drives the best path in fewer arcs, and refines it then, at length too: join_arcs.
-struct JoinArcs {
-  std::size_t rounds;  ///< at most; another one follows if the one before made the path faster
-};
+/// Drives the best path in fewer arcs, and refines it then, at length too: ArcJoiner.
+struct JoinArcs {};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.

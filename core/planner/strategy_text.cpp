@@ -132,12 +132,12 @@ struct StepText {
            percent(step.slower) + " longer than the best path";
   }
   std::string operator()(const RefineBest& step) const {
-    return "refine the best path further, and the second best one if it costs at most " + percent(step.close) + " more";
+    const std::string fewer =
+        std::isfinite(step.fewer_arcs_gap) ? "; in fewer arcs with a gap > " + percent(step.fewer_arcs_gap) : "";
+    return "refine the best path further, and the second best one if it costs at most " + percent(step.close) +
+           " more" + fewer;
   }
-  std::string operator()(const JoinArcs& step) const {
-    return "drive the best path in fewer arcs, and refine it further, at most " + std::to_string(step.rounds) +
-           " times";
-  }
+  std::string operator()(const JoinArcs&) const { return "drive the best path in fewer arcs, and refine it further"; }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
   std::string operator()(const JoinBetweenGears& step) const {
     const std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees," : "";

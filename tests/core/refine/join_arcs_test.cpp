@@ -23,6 +23,11 @@ Path many_arcs(double radius, int arcs) {
 double joined_time(const Path& path, const Vehicle& vehicle) { return speed_profile(path, vehicle).total_time; }
 
 const Vehicle kJoinedVehicle;
+
+Path joined(const Path& path, const World& world, const StopClock& clock = {}) {
+  return ArcJoiner().join(path, {kJoinedVehicle, *make_reference_queries(world).sweep, clock});
+}
+
 const Path kManyArcs = many_arcs(3.0 * kJoinedVehicle.min_turning_radius(), 15);
 
 World world_with_post(const Vec2& corner) {
@@ -31,10 +36,10 @@ World world_with_post(const Vec2& corner) {
 
 TEST(JoinArcs, LeavesFewArcsOfMany) {
   const World world = world_with_post({0.0, 50.0});
-  const Path joined = join_arcs(kManyArcs, kJoinedVehicle, *make_reference_queries(world).sweep, {});
-  EXPECT_LE(joined.size(), 4U);
-  EXPECT_LE(joined_time(joined, kJoinedVehicle), 1.001 * joined_time(kManyArcs, kJoinedVehicle));
-  test::expect_valid(world, kJoinedVehicle, kManyArcs.front().start, kManyArcs.back().end(), joined);
+  const Path few = joined(kManyArcs, world);
+  EXPECT_LE(few.size(), 4U);
+  EXPECT_LE(joined_time(few, kJoinedVehicle), 1.001 * joined_time(kManyArcs, kJoinedVehicle));
+  test::expect_valid(world, kJoinedVehicle, kManyArcs.front().start, kManyArcs.back().end(), few);
 }
 
 // A post stands next to the body in the middle of the turn, on its outside.
@@ -45,24 +50,20 @@ TEST(JoinArcs, StaysFree) {
   const double beside = std::hypot(3.0 * kJoinedVehicle.min_turning_radius() + body.right, body.front) -
                         3.0 * kJoinedVehicle.min_turning_radius() + 0.03;
   const World world = world_with_post(middle.position() + beside * right);
-  const QuerySet queries = make_reference_queries(world);
   test::expect_valid(world, kJoinedVehicle, kManyArcs.front().start, kManyArcs.back().end(), kManyArcs);
-  const Path joined = join_arcs(kManyArcs, kJoinedVehicle, *queries.sweep, {});
-  EXPECT_LT(joined.size(), kManyArcs.size());
-  test::expect_valid(world, kJoinedVehicle, kManyArcs.front().start, kManyArcs.back().end(), joined);
+  const Path few = joined(kManyArcs, world);
+  EXPECT_LT(few.size(), kManyArcs.size());
+  test::expect_valid(world, kJoinedVehicle, kManyArcs.front().start, kManyArcs.back().end(), few);
 }
 
 TEST(JoinArcs, CanBeStopped) {
-  const World world = world_with_post({0.0, 50.0});
-  const QuerySet queries = make_reference_queries(world);
-  EXPECT_EQ(join_arcs(kManyArcs, kJoinedVehicle, *queries.sweep, StopClock(0.0)).size(), kManyArcs.size());
+  EXPECT_EQ(joined(kManyArcs, world_with_post({0.0, 50.0}), StopClock(0.0)).size(), kManyArcs.size());
 }
 
 TEST(JoinArcs, LeavesShortPathsAsTheyAre) {
   const World world = world_with_post({0.0, 50.0});
-  const QuerySet queries = make_reference_queries(world);
-  EXPECT_TRUE(join_arcs({}, kJoinedVehicle, *queries.sweep, {}).empty());
-  EXPECT_EQ(join_arcs(many_arcs(5.0, 0), kJoinedVehicle, *queries.sweep, {}).size(), 2U);
+  EXPECT_TRUE(joined({}, world).empty());
+  EXPECT_EQ(joined(many_arcs(5.0, 0), world).size(), 2U);
 }
 
 }  // namespace
