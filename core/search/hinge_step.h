@@ -8,8 +8,8 @@ namespace arcway::internal {
 struct LinearResiduals {
   Eigen::MatrixXd gradients;  ///< one a row
   Eigen::VectorXd values;
-  Eigen::Index equalities;  ///< number of residuals, the last ones, that count with either sign; the others count only
-                            ///< where positive
+  /// Number of residuals, the last ones, that count with either sign; the others count only where positive.
+  Eigen::Index equalities = 0;
 };
 
 /// Limits of the components of a step: low <= 0 <= high.
