@@ -1,10 +1,12 @@
 // The steps of PlanRun that look for other ways by trees that keep off the paths so far.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/planner/plan_run.h"
@@ -15,10 +17,15 @@ namespace arcway::internal {
 void PlanRun::take(const TryOtherWays& step, double trials) {
   if (!is_worth_memory()) return;
   if (query_.maps.tightest && !has_gap(best_cost_, step.several_gap, true)) return;
+  struct Kind {
+    std::variant<GrowSlimTrees, GrowTrees> trees;
+    bool finds_new = true;
+  };
   const GrowSlimTrees slim{.passes = step.passes, .shortenings = step.shortenings, .slower = step.slower};
   GrowSlimTrees less_slim = slim;
   less_slim.body = 1;
   const GrowTrees body{.on = On::kAllRadii, .share = 1.0, .passes = step.passes, .shortenings = step.shortenings};
+  std::array kinds{Kind{slim}, Kind{less_slim}, Kind{body}};
   std::vector<double> costs{best_cost_};
   // Whether trees find a path whose cost is new. Where they do not, they would find the same paths again.
   const auto find_new = [&](const auto& trees) {
@@ -32,12 +39,9 @@ void PlanRun::take(const TryOtherWays& step, double trials) {
     costs.push_back(cost);
     return is_new;
   };
-  bool slim_finds = true, less_slim_finds = true, body_finds = true;
   for (std::size_t i = 0; i < step.rounds && !result_.interrupted; ++i) {
     avoided_.push_back(best());
-    slim_finds = slim_finds && find_new(slim);
-    less_slim_finds = less_slim_finds && find_new(less_slim);
-    body_finds = body_finds && find_new(body);
+    for (Kind& kind : kinds) kind.finds_new = kind.finds_new && std::visit(find_new, kind.trees);
   }
   avoided_.clear();
 }
