@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/infinity.h"
 #include "core/planner/plan_run.h"
 #include "core/planner/strategy.h"
 
@@ -26,17 +27,14 @@ void PlanRun::take(const TryOtherWays& step, double trials) {
   less_slim.body = 1;
   const GrowTrees body{.on = On::kAllRadii, .share = 1.0, .passes = step.passes, .shortenings = step.shortenings};
   std::array kinds{Kind{slim}, Kind{less_slim}, Kind{body}};
-  std::vector<double> costs{best_cost_};
+  std::vector<double> known{best_cost_};  // costs
   // Whether trees find a path whose cost is new. Where they do not, they would find the same paths again.
   const auto find_new = [&](const auto& trees) {
-    const std::size_t known = avoided_.size();
-    const double best = best_cost_;
-    if (!grow(trees, trials)) return false;
-    if (best_cost_ == best && avoided_.size() == known) return true;  // it was too slow to be refined
-    const double cost = best_cost_ < best ? best_cost_ : cost_of(avoided_.back());
+    const std::optional<double> cost = grow(trees, trials);
+    if (!cost || *cost == kInfinity) return cost.has_value();
     const bool is_new =
-        std::ranges::none_of(costs, [&](double other) { return std::abs(cost - other) <= kSameWay * cost; });
-    costs.push_back(cost);
+        std::ranges::none_of(known, [&](double other) { return std::abs(*cost - other) <= kSameWay * *cost; });
+    known.push_back(*cost);
     return is_new;
   };
   for (std::size_t i = 0; i < step.rounds && !result_.interrupted; ++i) {

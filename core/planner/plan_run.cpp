@@ -136,9 +136,9 @@ void PlanRun::raise_lower_bound() {
 }
 
 double PlanRun::cost_of(const Path& path) {
-  return path_cost(path, map_.vehicle,
-                   {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get(), query_.request.cusp_cost},
-                   workspace_.profile);
+  PathCosts with_cusps = costs();
+  with_cusps.cusp_cost = query_.request.cusp_cost;
+  return path_cost(path, map_.vehicle, with_cusps, workspace_.profile);
 }
 
 double PlanRun::travel_time(const Path& path) {
@@ -266,17 +266,18 @@ void PlanRun::note_first(const Path& path, double time) {
   result_.first_path = path;
 }
 
-void PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
+PlanRun::Times PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
   const bool is_first = !is_forward_found_;
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
-    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock,
-                        {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()});
+    path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock, costs());
   }
   const Times times = keep(std::move(path), {}, trials, RefineMode::kForwards);
-  if (times.cost == kInfinity || (!is_first && times.cost >= fastest_.times.cost)) return;
-  maps_ = &maps;
-  fastest_ = {times, &maps.plain, 0, kNone, kNone};
+  if (times.cost < kInfinity && (is_first || times.cost < fastest_.times.cost)) {
+    maps_ = &maps;
+    fastest_ = {times, &maps.plain, 0, kNone, kNone};
+  }
+  return times;
 }
 
 void PlanRun::keep_all() {

@@ -10,6 +10,7 @@
 #include "arcway/planner.h"
 #include "core/base/infinity.h"
 #include "core/base/stopwatch.h"
+#include "core/collision/path_cost.h"
 #include "core/motion/speed_profile.h"
 #include "core/planner/no_path.h"
 #include "core/planner/query_context.h"
@@ -150,9 +151,10 @@ class PlanRun {
   [[nodiscard]] ReversingSearch& reversing_search();
   // As known when first asked for.
   [[nodiscard]] const WithoutZones& without_zones();
-  // Grows trees, and keeps the path that they find unless it is too slow. Returns whether they have found one.
-  bool grow(const GrowTrees& step, double trials);
-  bool grow(const GrowSlimTrees& step, double trials);
+  // Grows trees, and keeps the path that they find unless it is too slow. Returns its cost, refined; infinite if it was
+  // not kept, nothing if they have found none.
+  std::optional<double> grow(const GrowTrees& step, double trials);
+  std::optional<double> grow(const GrowSlimTrees& step, double trials);
   // Runs a search, and counts what it did.
   template <class Find>
   FoundPath search(const Find& find);
@@ -165,17 +167,17 @@ class PlanRun {
   // Notes a path as the first one, unless one is noted.
   void note_first(const Path& path, double time);
   // Shortens a path of many motions, and keeps it.
-  void keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
+  Times keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   // Keeps the first path, if no other one was kept, and the cheapest one in both gears.
   void keep_all();
   // Keeps the cheapest path of the search in both gears, unless it was kept.
   void keep_in_both_gears();
   void keep_from_both_gears(const Path& path);
-  // Refines a path further, and keeps it if it is the cheapest one then. Returns whether it is.
+  // Refines a path further, and keeps it if it is the cheapest one then.
   // `unrefined`: of the path.
-  bool refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
-  // Drives the best path in fewer arcs, and refines it then, at length too. Returns whether that made it faster.
-  bool drive_in_fewer_arcs(double trials);
+  void refine_at_length(const Path& path, const Unrefined& unrefined, double trials);
+  // Drives the best path in fewer arcs, and refines it then, at length too.
+  void drive_in_fewer_arcs(double trials);
   // Keeps a path as the second best one if it is driven forwards. Takes its memory and leaves that of the one before.
   void keep_second(Path& path, double cost, const Unrefined& unrefined);
   [[nodiscard]] static bool is_driven_forwards(const Path& path);
@@ -217,6 +219,8 @@ class PlanRun {
   std::size_t drive_over(std::span<const Pose> poses, Path& path);
   void try_faster(const Roadmap& map, std::size_t poses, double least_gain, double trials);
   void try_other_route(const Roadmap& map, std::size_t poses, SearchOptions options, double trials);
+  // What the cost of a path depends on, but for gear changes.
+  [[nodiscard]] PathCosts costs() const { return {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()}; }
   // Infinite if a path cannot be driven between the speeds at its ends.
   [[nodiscard]] double cost_of(const Path& path);
   [[nodiscard]] double travel_time(const Path& path);

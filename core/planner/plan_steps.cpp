@@ -106,8 +106,8 @@ void PlanRun::take(const ProveEnclosure& step, double) {
 
 void PlanRun::take(const GrowTrees& step, double trials) { grow(step, trials); }
 
-bool PlanRun::grow(const GrowTrees& step, double trials) {
-  if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return false;
+std::optional<double> PlanRun::grow(const GrowTrees& step, double trials) {
+  if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return std::nullopt;
   const PlanMaps& maps = maps_on(step.on);
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
   SearchOptions options = search_options_;
@@ -129,10 +129,9 @@ bool PlanRun::grow(const GrowTrees& step, double trials) {
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
-  if (!grown.search.path) return false;
+  if (!grown.search.path) return std::nullopt;
   is_first_of_trees_ = is_first_of_trees_ || !has_path();
-  keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials);
-  return true;
+  return keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials).cost;
 }
 
 bool PlanRun::holds(WhenSlim when) const {
@@ -146,17 +145,16 @@ const Roadmap* PlanRun::slim_map(std::size_t body) const {
 
 void PlanRun::take(const GrowSlimTrees& step, double trials) { grow(step, trials); }
 
-bool PlanRun::grow(const GrowSlimTrees& step, double trials) {
+std::optional<double> PlanRun::grow(const GrowSlimTrees& step, double trials) {
   const StopClock& clock = query_.clock;
-  if (are_trees_vain_ || !holds(step.when)) return false;
+  if (are_trees_vain_ || !holds(step.when)) return std::nullopt;
   const Roadmap* slim = slim_map(step.body);
-  if (!slim) return false;
+  if (!slim) return std::nullopt;
   const Pose& goal = query_.request.goal;
   const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
-    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock,
-                                      {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()});
+    const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock, costs());
     auto free = push_free(shorter, goal, space, clock);
     if (free || length_of(shorter) == length_of(path)) return free;
     return push_free(path, goal, space, clock);
@@ -178,10 +176,9 @@ bool PlanRun::grow(const GrowSlimTrees& step, double trials) {
   is_path_refused_ = end.refused > 0;
   are_trees_vain_ = !is_path_refused_ && is_hopeless;
   is_narrow_ = is_narrow_ || (!has_path() && grown.search.path);
-  if (!grown.search.path) return false;
-  if (cost_of(*grown.search.path) <= (1.0 + step.slower) * best_cost_)
-    keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials);
-  return true;
+  if (!grown.search.path) return std::nullopt;
+  if (cost_of(*grown.search.path) > (1.0 + step.slower) * best_cost_) return kInfinity;
+  return keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials).cost;
 }
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
@@ -268,7 +265,10 @@ void PlanRun::take(const FollowOneWayRoutes& step, double trials) {
     if (!poses) return;
     Path path;
     const std::size_t legs = drive_over(*poses, path);
-    if (legs + 1 == poses->size()) return keep_shortened(query_.maps.all, std::move(path), step.shortenings, trials);
+    if (legs + 1 == poses->size()) {
+      keep_shortened(query_.maps.all, std::move(path), step.shortenings, trials);
+      return;
+    }
     routes.leave_out(legs);
   }
 }
@@ -368,30 +368,25 @@ void PlanRun::take(const RefineBest& step, double trials) {
   if (are_close) refine_at_length(workspace_.second, second_unrefined_, trials);
 }
 
-bool PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, double trials) {
+void PlanRun::refine_at_length(const Path& path, const Unrefined& unrefined, double trials) {
   refine(path, trials, RefineMode::kAtLength);
   const double cost = cost_of(workspace_.refined.path);
-  if (cost >= best_cost_) return false;
+  if (cost >= best_cost_) return;
   std::swap(workspace_.best, workspace_.refined.path);
   best_cost_ = cost;
   best_unrefined_ = unrefined;
   result_.statistics.unrefined_travel_time = unrefined.time;
-  return true;
 }
 
 void PlanRun::take(const JoinArcs&, double trials) { drive_in_fewer_arcs(trials); }
 
-bool PlanRun::drive_in_fewer_arcs(double trials) {
-  if (!is_driven_forwards(best())) return false;
-  const Path& fewer =
-      workspace_.joiner.join(best(), {map_.vehicle,
-                                      *map_.queries.sweep,
-                                      query_.clock,
-                                      {query_.ends(), map_.speed_zones.get(), map_.clearance_cost.get()}});
-  if (fewer.size() >= best().size()) return false;
+void PlanRun::drive_in_fewer_arcs(double trials) {
+  if (!is_driven_forwards(best())) return;
+  const Path& fewer = workspace_.joiner.join(best(), {map_.vehicle, *map_.queries.sweep, query_.clock, costs()});
+  if (fewer.size() >= best().size()) return;
   refine(fewer, 1.0, RefineMode::kForwards);
   std::swap(workspace_.fewer, workspace_.refined.path);
-  return refine_at_length(workspace_.fewer, best_unrefined_, trials);
+  refine_at_length(workspace_.fewer, best_unrefined_, trials);
 }
 
 ReversingSearch& PlanRun::reversing_search() {
