@@ -90,21 +90,9 @@ inline constexpr When kInsteadOfGearChanges{
 inline constexpr TryOtherWays kOtherWays{
     .passes = kOtherWaysPasses, .rounds = 3, .shortenings = 3, .slower = 0.5, .several_gap = 0.5};
 // The best path is still far above the lower bound.
-constexpr When slow_forwards(Driving driving, double best_gap) {
-  return {.known = Known::kForwardPath,
-          .driving = driving,
-          .whole = true,
-          .refines = true,
-          .grows_trees = true,
-          .best_gap = best_gap};
-}
-constexpr When slow_in_both_gears(double best_gap) {
-  return {.known = Known::kPath,
-          .driving = Driving::kBothGears,
-          .whole = true,
-          .refines = true,
-          .grows_trees = true,
-          .best_gap = best_gap};
+constexpr When far_from_bound(Known known, Driving driving, double best_gap) {
+  return {
+      .known = known, .driving = driving, .whole = true, .refines = true, .grows_trees = true, .best_gap = best_gap};
 }
 inline constexpr When kNarrowAfterGears{
     .known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true, .grows_trees = true};
@@ -339,10 +327,8 @@ inline constexpr StrategyRow kStrategy[] = {
      {.several = 24.0}},
     // What is hard to find is seldom the fastest way. Beside the rows for other ways, it makes 1 of 250 driven worlds
     // faster, by 33 %.
-    {"greedier trees of a slim body, for a faster path",
-     {.known = Known::kByTrees, .whole = true, .refines = true, .grows_trees = true, .best_gap = 0.85},
-     kGreedySlimTrees,
-     kUntilCompared},
+    {"greedier trees of a slim body, for a faster path", far_from_bound(Known::kByTrees, Driving::kAny, 0.85),
+     kGreedySlimTrees, kUntilCompared},
     {"refinement at length",
      {.known = Known::kForwardPath, .radii = Radii::kSeveral},
      kRefineAtLength,
@@ -382,17 +368,17 @@ inline constexpr StrategyRow kStrategy[] = {
     // What is found first may turn in the wrong place, and refinement leaves it there. Trees of a smaller weight go
     // another way. Of 400 driven worlds, few of them from a gap of 0.6 on make 1 faster, by 14 %, which was slower than
     // the drive, for 2 % more of the median time.
-    {"narrow trees of slim bodies in both gears", slow_in_both_gears(0.6),
+    {"narrow trees of slim bodies in both gears", far_from_bound(Known::kPath, Driving::kBothGears, 0.6),
      GrowSlimGearTrees{.poses = 2'000, .slower = 0.0, .again = true, .rest_weight = 1.5}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // Of 237 driven worlds with such a gap, 10 are faster than with 4,000 poses, by up to 20 %, 3 of which are slower
     // than the drive then. Where the way is not narrow, the row took over a second each time, and few plans gained.
-    {"narrow trees of slim bodies in both gears", slow_in_both_gears(0.9),
+    {"narrow trees of slim bodies in both gears", far_from_bound(Known::kPath, Driving::kBothGears, 0.9),
      GrowSlimGearTrees{.poses = 10'000, .slower = 0.0, .again = true}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // With the next rows, of 794 driven worlds in both gears 27 become faster by more than 1 %, 6 by more than 5 %, for
     // a tenth more of the median time. With a gap of 0.4, 60 do, and the median time grows by half.
-    {"other ways by trees in both gears", slow_in_both_gears(0.7),
+    {"other ways by trees in both gears", far_from_bound(Known::kPath, Driving::kBothGears, 0.7),
      TryOtherWaysInBothGears{.poses = 1000, .rounds = 3, .slower = 0.8}, kUntilCompared},
     // A path that is driven forwards is often cheaper beside a wall, and more so the more a change of gear costs.
     {"trees of a slim body, instead of changes of gear", kInsteadOfGearChanges, kShortSlimTrees, kUntilCompared},
@@ -428,8 +414,8 @@ inline constexpr StrategyRow kStrategy[] = {
     // plans were slower than the drive, 8 no longer are, one by 37 %. Of 800 driven worlds, with `fewer arcs`, these
     // rows make 43 faster by more than 1 %, and 22 slower by more than 0.05 %, by up to 2 %. Twice as many rounds find
     // nothing more.
-    {"other ways by trees", slow_forwards(Driving::kForwards, 0.35), kOtherWays, kUntilCompared},
-    {"other ways by trees", slow_forwards(Driving::kBothGears, 0.6), kOtherWays, kUntilCompared},
+    {"other ways by trees", far_from_bound(Known::kForwardPath, Driving::kForwards, 0.35), kOtherWays, kUntilCompared},
+    {"other ways by trees", far_from_bound(Known::kForwardPath, Driving::kBothGears, 0.6), kOtherWays, kUntilCompared},
     // Paths around vertices take the long way where wide turns between obstacles are free. Few poses, some
     // milliseconds, mend that where the rows above are not taken.
     {"trees of a slim body, for a faster path",
