@@ -56,6 +56,14 @@ void expect_faster_than_the_drive_by_its_row(const Narrow& way, double share, st
   EXPECT_GT(without.travel_time, time_of_drive(way));
 }
 
+// A plan takes less than a share of the time that it takes without its row.
+void expect_faster_by_its_row(const Narrow& way, double share) {
+  SCOPED_TRACE(way.world);
+  const PlanResult with = plan(way, {}), without = plan(way, {way.row});
+  ASSERT_TRUE(with.solved() && without.solved());
+  EXPECT_LT(with.travel_time, share * without.travel_time);
+}
+
 // Words do not join the runs beside one that is left out here: least squares do.
 TEST(GearChanges, AreLeftOutByPushingWhatRemains) {
   const Narrow way{"driven/carved/r9/g2/c50/s2006", "leave out changes of gear", true};
@@ -67,10 +75,7 @@ TEST(GearChanges, AreLeftOutByPushingWhatRemains) {
 
 // The graph's path passes the obstacle on the other side, and takes five times its lower bound.
 TEST(PlanSteps, LookForAFasterPathByTrees) {
-  const Narrow way{"driven/hugging/r4/g1/c50/s2172", "trees of a faster path", false};
-  const PlanResult grown = plan(way, {}), graph = plan(way, {way.row});
-  ASSERT_TRUE(grown.solved() && graph.solved());
-  EXPECT_LT(grown.travel_time, 0.5 * graph.travel_time);
+  expect_faster_by_its_row({"driven/hugging/r4/g1/c50/s2172", "trees of a faster path", false}, 0.5);
 }
 
 // The first path of all is refined on its own way. Trees that keep off the paths so far find the way of the drive, in
@@ -87,10 +92,7 @@ TEST(PlanSteps, LookForOtherWaysByTreesInBothGears) {
 
 // Trees and refinement lead along a bend in many short arcs, which are hardly optimized.
 TEST(PlanSteps, DriveInFewerArcs) {
-  const Narrow way{"driven/hugging/r7/g1/c50/s16357", "fewer arcs", false};
-  const PlanResult few = plan(way, {}), many = plan(way, {way.row});
-  ASSERT_TRUE(few.solved() && many.solved());
-  EXPECT_LT(few.travel_time, 0.995 * many.travel_time);
+  expect_faster_by_its_row({"driven/hugging/r7/g1/c50/s16357", "fewer arcs", false}, 0.995);
 }
 
 // Refinement leaves the first path of this world in 36 arcs, 1 % slower than the drive.
@@ -126,10 +128,7 @@ TEST(PlanSteps, PlanPartsOfAnEasyWayAgainQuickly) {
 }
 
 TEST(PlanSteps, PlanPartsOfAWayInBothGearsAgainQuickly) {
-  const Narrow way{"driven/carved/r3/g2/c50/s18038", "parts planned again quickly", true};
-  const PlanResult in_parts = plan(way, {}), whole = plan(way, {way.row});
-  ASSERT_TRUE(in_parts.solved() && whole.solved());
-  EXPECT_LT(in_parts.travel_time, 0.97 * whole.travel_time);
+  expect_faster_by_its_row({"driven/carved/r3/g2/c50/s18038", "parts planned again quickly", true}, 0.97);
 }
 
 // A query of which only the first path is known must not take parts of the query before it.
@@ -268,48 +267,47 @@ TEST(PlanSteps, RefineAWayOnce) {
   EXPECT_GT(all.statistics.nodes_expanded, few.statistics.nodes_expanded);
 }
 
+// Rows that find the routes of rows for several radii too.
+std::vector<std::string> trees_for_other_routes() {
+  return {"trees of a slim body, for a faster path", "other ways by trees"};
+}
+
+struct Stars {
+  double lateral, fill;  // acceleration [m/s^2], share of the area
+  std::uint64_t seed;
+};
+
+// A plan among stars takes less than a share of the time that it takes without a row, both without trees.
+void expect_faster_among_stars(const Stars& of, const PlanRequest& request, const std::string& row, double share) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{of.lateral}, .max_acceleration = 2.0});
+  const World world =
+      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = of.fill, .seed = of.seed});
+  std::vector<std::string> leave_out = trees_for_other_routes();
+  const PlanResult all = Planner(world, vehicle, {.leave_out = leave_out}).plan(request);
+  leave_out.push_back(row);
+  const PlanResult few = Planner(world, vehicle, {.leave_out = std::move(leave_out)}).plan(request);
+  ASSERT_TRUE(all.solved() && few.solved());
+  EXPECT_LT(all.travel_time, share * few.travel_time);
+}
+
 // Without trees of a slim body, only the search for a vehicle whose tightest turns are nearly as fast as lines finds
 // the route of the plan.
 TEST(PlanSteps, LookForTheRouteOfFastTightTurns) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
-  const World world =
-      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.3, .seed = 18});
   const PlanRequest request{.start = {4.7, 13.8, -0.59}, .goal = {47.1, 47.0, 0.97}};
-  const std::string trees = "trees of a slim body, for a faster path", ways = "other ways by trees",
-                    row = "1 radius, 16 x lateral acceleration";
-  const PlanResult all = Planner(world, vehicle, {.leave_out = {trees, ways}}).plan(request);
-  const PlanResult few = Planner(world, vehicle, {.leave_out = {trees, ways, row}}).plan(request);
-  ASSERT_TRUE(all.solved() && few.solved());
-  EXPECT_LT(all.travel_time, 0.92 * few.travel_time);
+  expect_faster_among_stars({2.0, 0.3, 18}, request, "1 radius, 16 x lateral acceleration", 0.92);
 }
 
 // Only the search that must not turn around an obstacle as the best path does finds the way of the plan.
 TEST(PlanSteps, PassAnObstacleOnItsOtherSide) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{2.0}, .max_acceleration = 2.0});
-  const World world =
-      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.3, .seed = 37});
   const PlanRequest request{.start = {46.6, 46.6, -2.56}, .goal = {11.8, 28.7, 0.64}};
-  const std::string trees = "trees of a slim body, for a faster path", ways = "other ways by trees",
-                    row = "other sides of obstacles";
-  const PlanResult all = Planner(world, vehicle, {.leave_out = {trees, ways}}).plan(request);
-  const PlanResult few = Planner(world, vehicle, {.leave_out = {trees, ways, row}}).plan(request);
-  ASSERT_TRUE(all.solved() && few.solved());
-  EXPECT_LT(all.travel_time, 0.96 * few.travel_time);
+  expect_faster_among_stars({2.0, 0.3, 37}, request, "other sides of obstacles", 0.96);
 }
 
 // The best path by then joins the roadmap by maneuvers. Only the search for a vehicle with slower turns, by maneuvers
 // as well, finds the route of the plan.
 TEST(PlanSteps, LookForTheRouteOfSlowTurnsBehindManeuvers) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{4.0}, .max_acceleration = 2.0});
-  const World world =
-      random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.45, .seed = 7});
   const PlanRequest request{.start = {30.84, 9.75, 1.04}, .goal = {2.69, 41.04, 2.01}};
-  const std::string trees = "trees of a slim body, for a faster path", ways = "other ways by trees",
-                    row = "slower turns behind maneuvers";
-  const PlanResult all = Planner(world, vehicle, {.leave_out = {trees, ways}}).plan(request);
-  const PlanResult few = Planner(world, vehicle, {.leave_out = {trees, ways, row}}).plan(request);
-  ASSERT_TRUE(all.solved() && few.solved());
-  EXPECT_LT(all.travel_time, 0.99 * few.travel_time);
+  expect_faster_among_stars({4.0, 0.45, 7}, request, "slower turns behind maneuvers", 0.99);
 }
 
 // Of two paths that cost about the same, the one that costs more becomes the faster one at length. Refined at length,
@@ -319,9 +317,7 @@ TEST(PlanSteps, RefineTheSecondBestPathAtLength) {
   const World world =
       random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = 0.3, .seed = 38});
   const PlanRequest request{.start = {60.5, 44.3, 2.62}, .goal = {57.3, 18.2, 2.63}};
-  const PlanResult found =
-      Planner(world, vehicle, {.leave_out = {"trees of a slim body, for a faster path", "other ways by trees"}})
-          .plan(request);
+  const PlanResult found = Planner(world, vehicle, {.leave_out = trees_for_other_routes()}).plan(request);
   ASSERT_TRUE(found.solved());
   EXPECT_LT(found.travel_time, 10.8);
 }
