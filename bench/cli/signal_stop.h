@@ -6,7 +6,8 @@
 namespace arcway::internal::cli {
 
 /// Turns Ctrl-C (SIGINT), SIGTERM and SIGHUP into a stop request while an object exists, so that what is finished can
-/// be kept. A second signal ends the tool as usual. At most one object at a time.
+/// be kept. Another signal ends the tool as usual, unless it comes within 0.3 s of the first. At most one object at a
+/// time.
 class SignalStop {
  public:
   SignalStop();
