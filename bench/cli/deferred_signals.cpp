@@ -1,8 +1,7 @@
 #include "bench/cli/deferred_signals.h"
 
-#include <signal.h>
-
 #include <array>
+#include <csignal>
 #include <cstddef>
 
 namespace arcway::internal::cli {

@@ -1,13 +1,12 @@
 #include "bench/cli/signal_stop.h"
 
-#include <signal.h>
-#include <time.h>
-
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 
 namespace arcway::internal::cli {
 namespace {
