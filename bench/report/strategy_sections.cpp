@@ -65,6 +65,9 @@ struct GearMoveText {
            " radii, Dubins words and biarcs";
   }
   std::string operator()(const RefineRuns&) const { return "refine what lies between as if it were driven forwards"; }
+  std::string operator()(const OptimizeTurns&) const {
+    return "optimize all turns at once, and with them the poses where the gear changes";
+  }
   std::string operator()(const SlideCusps&) const { return "move and turn the pose of each, by steps that are halved"; }
   std::string operator()(const DropGearChanges& move) const {
     return "leave out what lies between two, and push " + std::to_string(move.runs_beside) +

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "arcway/angle.h"
+#include "core/base/infinity.h"
 #include "core/refine/tied_turns.h"
 
 namespace arcway::internal {
@@ -13,19 +14,20 @@ namespace {
 constexpr double kLongLine = 0.7;    // least length of a line that follows from its circles, in radii of the larger one
 constexpr double kLargeTurn = 2.0;   // least turn that is cut into one arc more [rad]
 constexpr double kShortest = 1e-3;   // least length of a line that is not tied, in radii of the tightest circle
+constexpr double kNoLength = 1e-9;   // length of a line that counts as none, in such radii
 constexpr double kOneRadius = 1e-6;  // relative difference of radii that count as one
 constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 
 void follow_forwards(ArcChain& chain, std::size_t arc) {
   const ArcChain::Line& line = chain.lines[arc];
   const Vec2& ahead = line.ahead;
-  chain.arcs[arc].center = chain.before(arc) + line.length * ahead + chain.offset(arc) * perpendicular(ahead);
+  chain.arcs[arc].center = chain.before(arc) + line.along() * ahead + chain.offset(arc) * perpendicular(ahead);
 }
 
 void follow_backwards(ArcChain& chain, std::size_t arc) {
   const ArcChain::Line& line = chain.lines[arc + 1];
   const Vec2& ahead = line.ahead;
-  chain.arcs[arc].center = chain.behind(arc + 1) - line.length * ahead - chain.offset(arc + 1) * perpendicular(ahead);
+  chain.arcs[arc].center = chain.behind(arc + 1) - line.along() * ahead - chain.offset(arc + 1) * perpendicular(ahead);
 }
 
 // Neighboring arcs of which one keeps its place and places the others: the one next to start or goal, or else the
@@ -90,13 +92,25 @@ bool ArcChain::join() {
   return true;
 }
 
-bool ArcChain::is_forwards() const {
+bool ArcChain::is_drivable() const {
   for (std::size_t i = 0; i < arcs.size(); ++i)
     if (!(turn(i) > 0.0)) return false;
   return std::ranges::all_of(lines, [](const Line& line) { return line.is_tied || line.length > 0.0; });
 }
 
+namespace {
+
+int parts_of(double turn, double radius, const TurnCuts& cuts) {
+  if (turn < cuts.least || radius >= cuts.widest) return 1;
+  return turn > kLargeTurn ? cuts.parts + 1 : cuts.parts;
+}
+
+Gear gear_of(double sign) { return sign < 0.0 ? Gear::kReverse : Gear::kForward; }
+
+}  // namespace
+
 bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const TurnCuts& cuts, ArcChain& result) {
+  result.is_joined = true;
   result.start = chain.start;
   result.goal = chain.goal;
   result.arcs.clear();
@@ -110,8 +124,7 @@ bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const
     const double turn = turn_between(lines[i].start.heading, lines[i + 1].start.heading, circle.side);
     const bool is_tied = i > 0 && are_tied(chain, lines, i - 1);
     result.lines.push_back({heading, is_tied ? 0.0 : std::max(lines[i].length, shortest), is_tied});
-    const bool is_whole = turn < cuts.least || circle.radius >= cuts.widest;
-    const int parts = is_whole ? 1 : turn > kLargeTurn ? cuts.parts + 1 : cuts.parts;
+    const int parts = parts_of(turn, circle.radius, cuts);
     for (int k = 0; k < parts; ++k) {
       if (k > 0) result.lines.push_back({heading + sign * turn * k / parts, 0.0, true});
       result.arcs.push_back({circle.center, circle.radius, sign, 0.0, 0.0});
@@ -119,7 +132,55 @@ bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const
     heading += sign * turn;
   }
   result.lines.push_back({heading, std::max(lines[n].length, shortest), false});
-  return result.join() && result.is_forwards();
+  return result.join() && result.is_drivable();
+}
+
+bool cut_turns(std::span<const PathSegment> path, const TurnCuts& cuts, ArcChain& result) {
+  result.is_joined = false;
+  result.arcs.clear();
+  result.lines.clear();
+  double tightest = kInfinity;
+  for (const PathSegment& s : path)
+    if (!s.is_line()) tightest = std::min(tightest, 1.0 / std::abs(s.curvature));
+  result.start = path.front().start;
+  result.goal = path.back().end();
+  const double shortest = kShortest * tightest;
+  double heading = result.start.heading, along = 0.0;  // since the arc before
+  const auto add_line = [&](double sign, double gear) {
+    const bool has_length = std::abs(along) > kNoLength * tightest;
+    const ArcChain::Arc* before = result.arcs.empty() ? nullptr : &result.arcs.back();
+    const bool changes_gear = before != nullptr && before->gear != gear;
+    if (!has_length && before != nullptr && (changes_gear || before->sign == sign)) {
+      result.lines.push_back({heading, 0.0, true, Vec2::Zero(), changes_gear ? 0.0 : gear});
+    } else {
+      const double at = before == nullptr ? result.start.heading : heading;
+      result.lines.push_back({at, std::max(std::abs(along), shortest), false, Vec2::Zero(),
+                              has_length ? std::copysign(1.0, along) : gear});
+    }
+    along = 0.0;
+  };
+  for (const PathSegment& s : path) {
+    const double gear = sign_of(s.gear);
+    if (s.length < shortest || s.is_line()) {
+      along += gear * s.length;
+      heading += gear * s.length * s.curvature;  // the arc before turns so much more
+      continue;
+    }
+    const double radius = 1.0 / std::abs(s.curvature), sign = std::copysign(1.0, s.curvature);
+    add_line(sign, gear);
+    const double turn = s.length / radius;
+    const int parts = parts_of(turn, radius, cuts);
+    const Vec2 center = s.start.position() + sign * radius * perpendicular(direction_of(heading));
+    for (int k = 0; k < parts; ++k) {
+      if (k > 0) result.lines.push_back({heading + gear * sign * turn * k / parts, 0.0, true, Vec2::Zero(), gear});
+      result.arcs.push_back({center, radius, sign, 0.0, 0.0, gear});
+    }
+    heading += gear * sign * turn;
+  }
+  if (result.arcs.empty()) return false;
+  const ArcChain::Arc& last = result.arcs.back();
+  add_line(-last.sign, last.gear);  // the goal is tied to no arc
+  return true;
 }
 
 PathSegment segment_of(const ArcChain& chain, std::size_t part) {
@@ -128,10 +189,19 @@ PathSegment segment_of(const ArcChain& chain, std::size_t part) {
   const Vec2 left = perpendicular(direction_of(line.heading));
   const Vec2 begin = chain.before(i) - chain.sideways(i) * left;
   const Pose at_line{begin.x(), begin.y(), line.heading};
-  if (part % 2 == 0) return {at_line, line.length, 0.0};
+  if (part % 2 == 0) return {at_line, line.length, 0.0, gear_of(line.gear)};
   const ArcChain::Arc& arc = chain.arcs[i];
   const Vec2 place = arc.center - arc.sign * arc.radius * left;
-  return {{place.x(), place.y(), line.heading}, arc.radius * chain.turn(i), arc.sign / arc.radius};
+  return {{place.x(), place.y(), line.heading}, arc.radius * chain.turn(i), arc.sign / arc.radius, gear_of(arc.gear)};
+}
+
+Path path_of(const ArcChain& chain) {
+  Path path;
+  for (std::size_t part = 0; part <= 2 * chain.arcs.size(); ++part) {
+    const PathSegment segment = segment_of(chain, part);
+    if (segment.length > 0.0) path.push_back(segment);
+  }
+  return path;
 }
 
 void circles_of(const ArcChain& arcs, CircleChain& result) {

@@ -32,11 +32,11 @@ BoundValue speed_bound(const ArcChain::Arc& arc, bool is_slow, LocalNumber end, 
 
 }  // namespace
 
-void find_bounds(const ArcChain& chain, const ChainSpeeds& speeds, std::vector<Bound>& bounds) {
+void find_bounds(const ArcChain& chain, const GearSpeeds& speeds, std::vector<Bound>& bounds) {
   bounds.clear();
   const auto n = static_cast<std::uint32_t>(chain.arcs.size());
   for (std::uint32_t i = 0; i < n; ++i) {
-    const bool is_slow = chain.arcs[i].radius < speeds.widest();
+    const bool is_slow = chain.arcs[i].radius < speeds.in(chain.arcs[i].gear).widest();
     for (const Limit limit :
          {Limit::kTurn, Limit::kTightest, Limit::kWidest, Limit::kEntry, Limit::kExit, Limit::kSpeedUp, Limit::kBrake})
       bounds.push_back({limit, i, is_slow});
@@ -44,8 +44,8 @@ void find_bounds(const ArcChain& chain, const ChainSpeeds& speeds, std::vector<B
   for (std::uint32_t i = 0; i <= n; ++i) {
     if (chain.lines[i].is_tied) continue;
     bounds.push_back({Limit::kLineLength, i, false});
-    if (i < n || chain.exit > 0.0) bounds.push_back({Limit::kLineSpeedUp, i, false});
-    if (i > 0 || chain.entry > 0.0) bounds.push_back({Limit::kLineBrake, i, false});
+    if (exit_of_line(chain, i) > 0.0) bounds.push_back({Limit::kLineSpeedUp, i, false});
+    if (entry_of_line(chain, i) > 0.0) bounds.push_back({Limit::kLineBrake, i, false});
   }
 }
 
@@ -58,8 +58,8 @@ BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds
   switch (bound.limit) {
     case Limit::kTurn:
       value = turn;
-      g[kHeading] = -arc.sign;
-      g[kNextHeading] = arc.sign;
+      g[kHeading] = -arc.turning();
+      g[kNextHeading] = arc.turning();
       return result;
     case Limit::kTightest:
       value = arc.radius - tightest.on(arc.sign);
@@ -79,8 +79,8 @@ BoundValue value_of(const Bound& bound, const ArcChain& chain, const ChainSpeeds
   const double share = (bound.limit == Limit::kSpeedUp ? -0.5 : 0.5) / speeds.acceleration;
   value = arc.radius * turn + share * (arc.exit - arc.entry);
   g[kRadius] = turn;
-  g[kHeading] = -arc.sign * arc.radius;
-  g[kNextHeading] = arc.sign * arc.radius;
+  g[kHeading] = -arc.turning() * arc.radius;
+  g[kNextHeading] = arc.turning() * arc.radius;
   g[kExit] = share;
   g[kEntry] = -share;
   return result;
@@ -93,8 +93,8 @@ double speed_curvature(const Bound& bound, const ArcChain& chain, const ChainSpe
 
 Term::Hessian length_curvature(const ArcChain& chain, std::size_t arc) {
   Term term;
-  term.curve(kRadius, kHeading, -chain.arcs[arc].sign);
-  term.curve(kRadius, kNextHeading, chain.arcs[arc].sign);
+  term.curve(kRadius, kHeading, -chain.arcs[arc].turning());
+  term.curve(kRadius, kNextHeading, chain.arcs[arc].turning());
   return term.hessian;
 }
 

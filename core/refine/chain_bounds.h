@@ -30,7 +30,7 @@ struct Bound {
 };
 
 /// All bounds of a chain.
-void find_bounds(const ArcChain& chain, const ChainSpeeds& speeds, std::vector<Bound>& bounds);
+void find_bounds(const ArcChain& chain, const GearSpeeds& speeds, std::vector<Bound>& bounds);
 
 /// The value and the gradient of a bound. It has no second derivatives but those of the length of an arc, see
 /// length_curvature, and of the speed on it, see speed_curvature.

@@ -24,7 +24,7 @@ struct ChainSystem {
   static constexpr double kStiffness = 1.0;  ///< of the chain's equations in the matrix [s/m^2]
 
   ArcChain chain, trial;  ///< now, and after a step that is tried
-  ChainSpeeds speeds{};
+  GearSpeeds speeds;
   SideRadii tightest{0.0};  ///< radii of turns
   double unit = 0.0;        ///< length of the body [m]
   std::vector<Bound> bounds;
@@ -46,19 +46,42 @@ struct ChainSystem {
   [[nodiscard]] const Numbers& numbers_of(const Bound& bound) const {
     return bound.is_of_line() ? unknowns.of_line(bound.index) : unknowns.of_arc(bound.index);
   }
+  [[nodiscard]] const ChainSpeeds& speeds_on(const Bound& bound) const {
+    return speeds.in(bound.is_of_line() ? chain.lines[bound.index].gear : chain.arcs[bound.index].gear);
+  }
   [[nodiscard]] BoundValue value(const Bound& bound, const ArcChain& of) const {
-    return value_of(bound, of, speeds, tightest);
+    return value_of(bound, of, speeds_on(bound), tightest);
   }
 
-  /// Makes the trial: the chain moved by a share of the step.
-  /// @return false if parts cannot be placed, or one is driven backwards.
+  /// Makes the trial: the chain moved by a share of the step. A chain in both gears is closed by a few more steps with
+  /// the factors of the matrix.
+  /// @return false if parts cannot be placed, or one would have no length in its gear.
   bool move(double share);
+  /// Moves a chain in both gears as little as joins its parts up to rounding. Step and factors are lost.
+  /// @return false if that fails.
+  [[nodiscard]] bool close();
+  /// Closes it at the end, when radii may be smaller than allowed, and lines and turns less than nothing, by next to
+  /// nothing. Such radii become the smallest ones, and such lines and arcs have no length.
+  /// @return false if that fails.
+  [[nodiscard]] bool settle();
   /// How far the body moves at most from the chain to the trial [m], as seen at the ends and middles of arcs.
   [[nodiscard]] double movement() const;
 
  private:
   void place_speeds();
+  void move_by(std::span<const double> by, double share, ArcChain& to) const;
+  bool close_by_factors(ArcChain& open);
+  // An unknown that keeps its value, or two that keep their difference.
+  struct Held {
+    int number, other;
+  };
+  bool close_but_for(std::span<const Held> held);
+  void hold_turn(std::size_t arc);
+  void put_on_limits(double least, double least_turn);
 
+  double closed_ = 0.0;          // gaps that are no larger count as none [m]
+  std::vector<double> closing_;  // steps
+  std::vector<Held> held_;
   std::vector<double> squares_;  // of speeds, at the ends of arcs
 };
 

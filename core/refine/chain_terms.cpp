@@ -92,12 +92,23 @@ bool has_chain_speeds(const Vehicle& vehicle) {
                : std::holds_alternative<LateralAccelerationLimit>(law);
 }
 
-ChainSpeeds speeds_of(const Vehicle& vehicle) {
-  const double top = vehicle.max_speed() * vehicle.max_speed();
+bool has_gear_speeds(const Vehicle& vehicle) {
+  return std::holds_alternative<ConstantTurnSpeed>(vehicle.parameters().turn_speed) || has_chain_speeds(vehicle);
+}
+
+ChainSpeeds speeds_of(const Vehicle& vehicle, Gear gear) {
+  const double fastest = gear == Gear::kForward ? vehicle.max_speed() : vehicle.max_reverse_speed();
+  const double top = fastest * fastest;
   const TurnSpeedLaw& law = vehicle.parameters().turn_speed;
   if (const auto* table = std::get_if<TurnSpeedTable>(&law)) {
-    const double widest = widest_by(*table, vehicle.max_speed()), fastest = vehicle.turn_speed(widest);
-    return {vehicle.max_acceleration(), fastest * fastest / widest, top, fastest * fastest, table->entries};
+    const auto& [tightest, slowest] = table->entries.front();
+    const double widest = fastest > slowest ? widest_by(*table, fastest) : tightest;
+    const double turn_top = std::min(vehicle.turn_speed(widest), fastest);
+    return {vehicle.max_acceleration(), turn_top * turn_top / widest, top, turn_top * turn_top, table->entries};
+  }
+  if (const auto* constant = std::get_if<ConstantTurnSpeed>(&law)) {
+    const double turn_top = std::min(constant->speed * constant->speed, top);
+    return {vehicle.max_acceleration(), turn_top / vehicle.min_turning_radius(), top, turn_top};
   }
   return {vehicle.max_acceleration(), std::get<LateralAccelerationLimit>(law).lateral_acceleration, top, top};
 }
@@ -126,8 +137,8 @@ Term arc_time(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds)
   const Timed timed = time_of(a.radius * turn, a.entry, a.exit, limit.value, speeds.acceleration);
   Eigen::Matrix<double, kTimedNumbers, kLocalNumbers> map = Eigen::Matrix<double, kTimedNumbers, kLocalNumbers>::Zero();
   map(kSegment, kRadius) = turn;
-  map(kSegment, kHeading) = -a.sign * a.radius;
-  map(kSegment, kNextHeading) = a.sign * a.radius;
+  map(kSegment, kHeading) = -a.turning() * a.radius;
+  map(kSegment, kNextHeading) = a.turning() * a.radius;
   map(kFrom, kEntry) = map(kTo, kExit) = 1.0;
   map(kLimit, kRadius) = limit.slope;
   Term term;
@@ -135,7 +146,7 @@ Term arc_time(const ArcChain& chain, std::size_t arc, const ChainSpeeds& speeds)
   term.gradient.noalias() = map.transpose() * timed.gradient;
   term.hessian.noalias() = map.transpose() * timed.hessian * map;
   term.hessian(kRadius, kRadius) += timed.gradient[kLimit] * limit.curvature;
-  const double by_length = a.sign * timed.gradient[kSegment];
+  const double by_length = a.turning() * timed.gradient[kSegment];
   term.hessian(kRadius, kNextHeading) += by_length;
   term.hessian(kNextHeading, kRadius) += by_length;
   term.hessian(kRadius, kHeading) -= by_length;

@@ -58,8 +58,17 @@ struct ChainSpeeds {
 /// Whether a vehicle drives turns by a lateral acceleration, or by a table that ascends up to the top speed or to its
 /// end, and the tightest ones slower than lines.
 bool has_chain_speeds(const Vehicle& vehicle);
-/// The speeds of a vehicle that has them. It must outlive the use.
-ChainSpeeds speeds_of(const Vehicle& vehicle);
+/// Whether a vehicle drives all turns at one speed in each gear, or has such speeds.
+bool has_gear_speeds(const Vehicle& vehicle);
+/// The speeds of a vehicle that has them, in a gear. It must outlive the use.
+ChainSpeeds speeds_of(const Vehicle& vehicle, Gear gear = Gear::kForward);
+
+/// The speeds in both gears.
+struct GearSpeeds {
+  ChainSpeeds forwards{}, backwards{};
+  /// In the gear of an arc or line.
+  [[nodiscard]] const ChainSpeeds& in(double gear) const { return gear < 0.0 ? backwards : forwards; }
+};
 
 /// The time through an arc or a line [s], between the speeds at its ends, which need not be as high as they may. It is
 /// smooth where the top speed is just reached. Speeds at start and goal are given and do not count as numbers.

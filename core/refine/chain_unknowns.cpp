@@ -46,18 +46,23 @@ void ChainUnknowns::number(const ArcChain& chain, double tightest) {
     if (i > 0)
       for (const auto k : {kCenterX, kCenterY, kRadius}) line[k] = arcs_[i - 1][k];
     if (i > 0) line[kEntry] = arcs_[i - 1][kExit];
-    if (!chain.lines[i].is_tied) line[kLength] = unknown(tightest);
+    // From rest, the time for a short line is so concave in its length that whole steps would be damped for it.
+    if (!chain.lines[i].is_tied) line[kLength] = unknown(std::min(tightest, chain.lines[i].length));
     if (i > 0 && i < n) line[kHeading] = unknown(kHeadingScale);
     if (i > 0) arcs_[i - 1][kNextHeading] = line[kHeading];
     if (i < n) {
       Numbers& arc = arcs_[i];
       arc[kHeading] = line[kHeading];
-      arc[kEntry] = chain.lines[i].is_tied ? line[kEntry] : unknown(kSpeedScale * chain.arcs[i].entry);
+      if (chain.lines[i].is_tied) {
+        arc[kEntry] = line[kEntry];
+      } else if (!chain.stops_before(i)) {
+        arc[kEntry] = unknown(kSpeedScale * chain.arcs[i].entry);
+      }
       line[kExit] = arc[kEntry];
       arc[kCenterX] = unknown(tightest);
       arc[kCenterY] = unknown(tightest);
       arc[kRadius] = unknown(kRadiusScale * chain.arcs[i].radius);
-      arc[kExit] = unknown(kSpeedScale * chain.arcs[i].exit);
+      if (!chain.stops_behind(i)) arc[kExit] = unknown(kSpeedScale * chain.arcs[i].exit);
     }
     tensions_[i] = {unknown(0.0), unknown(0.0)};
   }
@@ -80,8 +85,8 @@ void ChainUnknowns::add_equations(const ArcChain& chain, std::span<const Vec2> t
     const int next_radius = i < n ? arcs_[i][kRadius] : kGiven;
 
     Equation equation;
-    equation.enter(length, -ahead);
-    equation.enter(heading, offset * ahead - line.length * left);
+    equation.enter(length, -line.gear * ahead);
+    equation.enter(heading, offset * ahead - line.along() * left);
     equation.enter(own[kCenterX], {-1.0, 0.0});
     equation.enter(own[kCenterY], {0.0, -1.0});
     equation.enter(radius, before * left);
@@ -98,8 +103,8 @@ void ChainUnknowns::add_equations(const ArcChain& chain, std::span<const Vec2> t
       put(tensions_[i][1], number, by.y());
     }
     const Vec2& f = tensions[i];
-    put(heading, heading, f.dot(line.length * ahead + offset * left));
-    put(heading, length, -f.dot(left));
+    put(heading, heading, f.dot(line.along() * ahead + offset * left));
+    put(heading, length, -line.gear * f.dot(left));
     put(heading, radius, -before * f.dot(ahead));
     put(heading, next_radius, behind * f.dot(ahead));
   }

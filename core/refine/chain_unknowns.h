@@ -18,7 +18,7 @@ using Numbers = std::array<int, kLocalNumbers>;
 /// A chain's unknowns, numbered along the path, so that what depends on each other has numbers that differ by at most
 /// BandedLdlt::kBand.
 /// Beside the numbers of all arcs and lines there are two *tensions* for each line, the multipliers of its equation
-///   behind - before - length ahead - offset left = 0.
+///   behind - before - along ahead - offset left = 0.
 /// They are the force that pulls at the circles on either side.
 class ChainUnknowns {
  public:
@@ -34,6 +34,11 @@ class ChainUnknowns {
   [[nodiscard]] Vec2 tension(std::size_t line, std::span<const double> values) const {
     const auto& [x, y] = tensions_[line];
     return {values[static_cast<std::size_t>(x)], values[static_cast<std::size_t>(y)]};
+  }
+  void set_tension(std::size_t line, const Vec2& tension, std::span<double> values) const {
+    const auto& [x, y] = tensions_[line];
+    values[static_cast<std::size_t>(x)] = tension.x();
+    values[static_cast<std::size_t>(y)] = tension.y();
   }
   /// 1 / s^2 for each unknown of scale s, 0 for tensions.
   [[nodiscard]] std::span<const double> inverse_squares() const { return inverse_squares_; }

@@ -79,11 +79,14 @@ class InteriorPoint {
         uncorrected_(memory.uncorrected),
         growths_(memory.growths) {}
 
-  ChainOptimizer::Result run(CircleChain& optimized) {
+  // How turns are cut for it.
+  [[nodiscard]] TurnCuts cuts() const {
+    return {query_.effort.parts, query_.effort.least_turn, speeds_of(query_.vehicle).widest()};
+  }
+
+  // Optimizes the chain of the system.
+  ChainOptimizer::Result run() {
     const Vehicle& vehicle = query_.vehicle;
-    const ChainEffort& effort = query_.effort;
-    const TurnCuts cuts{effort.parts, effort.least_turn, speeds_of(vehicle).widest()};
-    if (!cut_turns(query_.chain, query_.lines, cuts, system_.chain)) return {false, 0};
     chain().entry = query_.ends.start * query_.ends.start;
     chain().exit = query_.ends.goal * query_.ends.goal;
     const double unit = vehicle.footprint().length();
@@ -93,7 +96,7 @@ class InteriorPoint {
       return {false, 0};
     begin_barrier();
     int iterations = 0;
-    for (; iterations < effort.iterations && !query_.clock.is_over(); ++iterations) {
+    for (; iterations < query_.effort.iterations && !query_.clock.is_over(); ++iterations) {
       evaluate();
       if (iterations == 0) find_tensions();
       if (is_optimal()) break;
@@ -103,7 +106,6 @@ class InteriorPoint {
     resolve_overlaps(system_, query_.clock);
     // What is left to the smallest radius is next to nothing; circles that touch are placed behind it.
     for (ArcChain::Arc& arc : chain().arcs) arc.radius = std::max(arc.radius, system_.tightest.on(arc.sign));
-    circles_of(chain(), optimized);
     return {true, iterations};
   }
 
@@ -150,11 +152,13 @@ class InteriorPoint {
     row.penalty = 0.0;
   }
 
+  // Of an arc or line.
+  [[nodiscard]] const ChainSpeeds& speeds_on(const auto& part) const { return system_.speeds.in(part.gear); }
   [[nodiscard]] double time_of(const ArcChain& of) const {
     double time = 0.0;
-    for (std::size_t i = 0; i < of.arcs.size(); ++i) time += arc_time_alone(of, i, system_.speeds);
+    for (std::size_t i = 0; i < of.arcs.size(); ++i) time += arc_time_alone(of, i, speeds_on(of.arcs[i]));
     for (std::size_t i = 0; i < of.lines.size(); ++i)
-      if (!of.lines[i].is_tied) time += line_time_alone(of, i, system_.speeds);
+      if (!of.lines[i].is_tied) time += line_time_alone(of, i, speeds_on(of.lines[i]));
     return time;
   }
 
@@ -164,9 +168,10 @@ class InteriorPoint {
     gradient_.assign(system_.unknowns.size(), 0.0);
     time_ = 0.0;
     for (std::size_t i = 0; i < chain().arcs.size(); ++i)
-      evaluate(arc_time(chain(), i, system_.speeds), system_.unknowns.of_arc(i));
+      evaluate(arc_time(chain(), i, speeds_on(chain().arcs[i])), system_.unknowns.of_arc(i));
     for (std::size_t i = 0; i < chain().lines.size(); ++i)
-      if (!chain().lines[i].is_tied) evaluate(line_time(chain(), i, system_.speeds), system_.unknowns.of_line(i));
+      if (!chain().lines[i].is_tied)
+        evaluate(line_time(chain(), i, speeds_on(chain().lines[i])), system_.unknowns.of_line(i));
     for (std::size_t i = 0; i < bounds(); ++i) evaluate(system_.bounds[i], rows_[i]);
     evaluate_contacts();
     for (const Row& row : rows_) add_square(*row.numbers, row.gradient, row.multiplier / row.slack, system_.matrix);
@@ -185,7 +190,7 @@ class InteriorPoint {
       add(*row.numbers, length_curvature(chain(), bound.index), -row.multiplier, system_.matrix);
     if (bound.limit == Limit::kEntry || bound.limit == Limit::kExit) {
       const auto radius = static_cast<std::size_t>((*row.numbers)[kRadius]);
-      system_.matrix.add(radius, radius, -row.multiplier * speed_curvature(bound, chain(), system_.speeds));
+      system_.matrix.add(radius, radius, -row.multiplier * speed_curvature(bound, chain(), system_.speeds_on(bound)));
     }
   }
   // Rows of contacts begin when they come near, and end when they are far off.
@@ -318,7 +323,7 @@ class InteriorPoint {
       keep(arc.entry, change(at[kEntry]), kLeastLeft);
       keep(arc.exit, change(at[kExit]), kLeastLeft);
       keep(arc.radius, change(at[kRadius]), kLeastLeft);
-      keep(chain().turn(i), arc.sign * (change(at[kNextHeading]) - change(at[kHeading])), kLeastLeft);
+      keep(chain().turn(i), arc.turning() * (change(at[kNextHeading]) - change(at[kHeading])), kLeastLeft);
     }
     for (std::size_t i = 0; i < chain().lines.size(); ++i)
       if (!chain().lines[i].is_tied)
@@ -371,6 +376,8 @@ class InteriorPoint {
       const double most = is_too_far ? kMostToBoundary * row.multiplier / -change : 1.0;
       row.multiplier += std::min(share, most) * change;
       row.slack += share * row.slack_step;
+      // A larger slack lowers the barrier. Chains that are joined gain nothing by that.
+      if (!chain().is_joined) row.slack = std::max(row.slack, row.trial);
       const double central = barrier_ / row.slack;
       row.multiplier = std::clamp(row.multiplier, central / kMultiplierBand, central * kMultiplierBand);
     }
@@ -403,9 +410,26 @@ ChainOptimizer::ChainOptimizer(ChainOptimizer&&) noexcept = default;
 ChainOptimizer& ChainOptimizer::operator=(ChainOptimizer&&) noexcept = default;
 
 bool ChainOptimizer::serves(const Vehicle& vehicle) { return has_chain_speeds(vehicle); }
+bool ChainOptimizer::serves_in_both_gears(const Vehicle& vehicle) { return has_gear_speeds(vehicle); }
 
-ChainOptimizer::Result ChainOptimizer::optimize(const ChainQuery& query, CircleChain& optimized) {
-  return InteriorPoint(query, *memory_).run(optimized);
+ChainOptimizer::Result ChainOptimizer::optimize(const CircleChain& chain, std::span<const Bitangent> lines,
+                                                const ChainQuery& query, CircleChain& optimized) {
+  InteriorPoint method(query, *memory_);
+  if (!cut_turns(chain, lines, method.cuts(), memory_->system.chain)) return {false, 0};
+  const Result result = method.run();
+  if (result.is_optimized) circles_of(memory_->system.chain, optimized);
+  return result;
+}
+
+ChainOptimizer::Result ChainOptimizer::optimize(std::span<const PathSegment> path, const ChainQuery& query,
+                                                Path& optimized) {
+  InteriorPoint method(query, *memory_);
+  ChainSystem& system = memory_->system;
+  if (!cut_turns(path, method.cuts(), system.chain)) return {false, 0};
+  const Result result = method.run();
+  if (!result.is_optimized || !system.settle()) return {false, result.iterations};
+  optimized = path_of(system.chain);
+  return result;
 }
 
 }  // namespace arcway::internal

@@ -21,17 +21,15 @@ struct ChainEffort {
   double first_barrier;  ///< weight of the barrier at first, as a share of the travel time
 };
 
-/// A chain to optimize. What is referred to must outlive the optimization.
+/// Who drives a chain or a path that is to be optimized, and where. What is referred to must outlive the optimization.
 struct ChainQuery {
-  const CircleChain& chain;          ///< of a free path
-  std::span<const Bitangent> lines;  ///< of the chain
-  const Vehicle& vehicle;            ///< see ChainOptimizer::serves
+  const Vehicle& vehicle;  ///< see ChainOptimizer::serves
   const World& world;
   const Outlines& outlines;  ///< of the world
   ChainEffort effort;
   StopClock clock = {};  ///< asked while contacts are found, and before each iteration
   EndSpeeds ends = {};   ///< of the path
-  /// What driving close to obstacles costs; may be null. Parts of the chain that keep a preferred distance keep it.
+  /// What driving close to obstacles costs; may be null. Parts that keep a preferred distance keep it.
   const ClearanceCost* clearance = nullptr;
 };
 
@@ -54,13 +52,21 @@ class ChainOptimizer {
   /// its lateral acceleration or by a table that ascends so far or to its end. Contacts are those of the rectangle
   /// around its body.
   static bool serves(const Vehicle& vehicle);
+  /// Whether paths of a vehicle in both gears can be optimized: it may as well drive all turns at one speed.
+  static bool serves_in_both_gears(const Vehicle& vehicle);
 
   struct Result {
-    bool is_optimized;  ///< false if the chain has no line that can give way, or the clock is over at once
+    bool is_optimized;  ///< false if nothing can give way, or the clock is over at once
     int iterations;
   };
+  /// Optimizes the chain of a free path.
+  /// @param lines  of the chain.
   /// Precondition: the vehicle is served.
-  Result optimize(const ChainQuery& query, CircleChain& optimized);
+  Result optimize(const CircleChain& chain, std::span<const Bitangent> lines, const ChainQuery& query,
+                  CircleChain& optimized);
+  /// Optimizes a free path in both gears. The gears of its motions stay, and where it changes gear the vehicle stops.
+  /// Precondition: the vehicle is served in both gears.
+  Result optimize(std::span<const PathSegment> path, const ChainQuery& query, Path& optimized);
 
   struct Memory;
 

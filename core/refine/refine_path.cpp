@@ -266,12 +266,12 @@ class Refiner {
   bool take(const OptimizeTurns& move) {
     if (done()) return false;
     ChainEffort effort = move.effort;
-    effort.iterations = static_cast<int>(
-        std::min<std::uint64_t>(static_cast<std::uint64_t>(effort.iterations), most_trials_ - result_.trials));
-    const auto [is_optimized, iterations] =
-        optimizer_.optimize({chain_.chain(), lines(), vehicle_, *query_.world, *query_.outlines, effort, clock_,
-                             query_.ends, query_.clearance_cost},
-                            optimized_);
+    const int bounded = std::max(kMostCircleSteps / static_cast<int>(circles().size()), kLeastSteps);
+    effort.iterations = static_cast<int>(std::min<std::uint64_t>(
+        static_cast<std::uint64_t>(std::min(effort.iterations, bounded)), most_trials_ - result_.trials));
+    const auto [is_optimized, iterations] = optimizer_.optimize(
+        chain_.chain(), lines(),
+        {vehicle_, *query_.world, *query_.outlines, effort, clock_, query_.ends, query_.clearance_cost}, optimized_);
     result_.trials += static_cast<std::uint64_t>(iterations);
     if (!is_optimized || !chain_.make(optimized_) || !is_made_cheaper() || !are_free(chain_.made_path())) return false;
     take_made();

@@ -21,6 +21,7 @@
 #include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "core/refine/moves.h"
+#include "core/refine/optimize_chain.h"
 #include "core/search/push_free.h"
 #include "core/zones/speed_zones.h"
 
@@ -445,6 +446,18 @@ class ReversingRefiner {
     return accept(path);
   }
 
+  // Optimizes all turns at once, and the places of changes of gear with them.
+  bool take(const OptimizeTurns& move) {
+    if (outlines_ == nullptr || !ChainOptimizer::serves_in_both_gears(vehicle_) || done()) return false;
+    ChainEffort effort = move.effort;
+    effort.iterations = static_cast<int>(
+        std::min<std::uint64_t>(static_cast<std::uint64_t>(effort.iterations), most_trials_ - result_.trials));
+    const auto [is_optimized, iterations] = optimizer_.optimize(
+        result_.path, {vehicle_, *world_, *outlines_, effort, clock_, ends_, clearance_}, optimized_);
+    result_.trials += static_cast<std::uint64_t>(iterations);
+    return is_optimized && is_cheaper(cost_of(optimized_)) && is_free(optimized_) && accept(optimized_);
+  }
+
   // Refines what lies between two cusps as if it were driven forwards.
   bool take(const RefineRuns&) {
     Path path;
@@ -501,6 +514,8 @@ class ReversingRefiner {
   const SpeedZones* zones_;
   const ClearanceCost* clearance_;
   SpeedProfile profile_;  // memory
+  ChainOptimizer optimizer_;
+  Path optimized_;
   RefinedPath& result_;
   Body body_;
   std::size_t most_cusps_;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "arcway/angle.h"
 #include "tests/support/arc_chains.h"
+#include "tests/support/gear_paths.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -83,7 +85,7 @@ TEST(ArcChain, CutsTurnsAndKeepsThePath) {
     ArcChain cut;
     ASSERT_TRUE(cut_turns(input.chain, input.lines, kSomeCuts, cut)) << "path " << i;
     expect_equations(cut);
-    EXPECT_TRUE(cut.is_forwards());
+    EXPECT_TRUE(cut.is_drivable());
     std::size_t arc = 0;
     for (std::size_t k = 0; k < input.chain.circles.size(); ++k) {
       const TurnCircle& circle = input.chain.circles[k];
@@ -201,7 +203,7 @@ TEST(ArcChain, JoinsWhatHasMoved) {
     EXPECT_EQ(chain.lines.front().heading, before.lines.front().heading);
     EXPECT_EQ(chain.lines.back().heading, before.lines.back().heading);
     for (std::size_t k = 0; k < chain.arcs.size(); ++k) EXPECT_EQ(chain.arcs[k].radius, asked.arcs[k].radius);
-    if (!chain.is_forwards()) continue;
+    if (!chain.is_drivable()) continue;
     // Tied arcs of different radii are circles of their own, which touch.
     CircleChain circles;
     circles_of(chain, circles);
@@ -213,6 +215,74 @@ TEST(ArcChain, JoinsWhatHasMoved) {
     EXPECT_TRUE(lines_of(circles));
   }
   EXPECT_GT(moved, 250);
+}
+
+TEST(ArcChain, CutsPathsInBothGears) {
+  constexpr double kRadius = 1.3;
+  constexpr TurnCuts kCuts{3, 0.05, 72.0};
+  test::RandomInputs random(5);
+  int stops = 0, longer = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Path path = test::random_gear_path(random, kRadius, 8.0);
+    ArcChain cut;
+    ASSERT_TRUE(cut_turns(path, kCuts, cut)) << "path " << i;
+    EXPECT_FALSE(cut.is_joined);
+    EXPECT_TRUE(cut.is_drivable());
+    double open = 0.0;
+    for (std::size_t k = 0; k < cut.lines.size(); ++k) {
+      cut.lines[k].ahead = direction_of(cut.lines[k].heading);
+      EXPECT_EQ(cut.gap(k), test::residual_of(cut, k));
+      open = std::max(open, cut.gap(k).norm());
+    }
+    // Nothing is left out but motions that are next to nothing, and lines are longer by no more.
+    EXPECT_LE(open, 3e-3 * kRadius) << "path " << i;
+    longer += open > 1e-9;
+    for (std::size_t k = 0; k < cut.arcs.size(); ++k) {
+      stops += cut.stops_behind(k);
+      if (k > 0 && cut.arcs[k].gear == cut.arcs[k - 1].gear) {
+        EXPECT_EQ(cut.stops_before(k), cut.stops_behind(k - 1));
+      }
+    }
+    const Path again = merged(path_of(cut));
+    EXPECT_EQ(cusps_of(again), cusps_of(path)) << "path " << i;
+    EXPECT_NEAR(length_of(again), length_of(path), 6e-3 * kRadius) << "path " << i;
+    EXPECT_EQ(again.front().gear, path.front().gear);
+    for (std::size_t k = 0; k < again.size(); ++k)
+      if (again[k].curvature != 0.0) {
+        EXPECT_NEAR(std::abs(again[k].curvature), 1.0 / kRadius, 1e-12);
+      }
+  }
+  EXPECT_GT(stops, 200);
+  EXPECT_GT(longer, 50);
+}
+
+// Straight on and straight back is a way that no optimum has.
+TEST(ArcChain, GoesLessFarWhereItGoesStraightOnAndBack) {
+  Path path{{{0.0, 0.0, 0.0}, 2.0, 0.5}};
+  for (const auto& [length, curvature, gear] :
+       {std::tuple{3.0, 0.0, Gear::kForward}, {1.0, 0.0, Gear::kReverse}, {2.0, -0.5, Gear::kReverse}})
+    path.push_back({path.back().end(), length, curvature, gear});
+  ArcChain cut;
+  ASSERT_TRUE(cut_turns(path, {1, 0.05, 72.0}, cut));
+  ASSERT_EQ(cut.arcs.size(), 2u);
+  EXPECT_NEAR(cut.lines[1].length, 2.0, 1e-12);
+  EXPECT_EQ(cut.lines[1].gear, 1.0);
+  EXPECT_FALSE(cut.stops_behind(0));
+  EXPECT_TRUE(cut.stops_before(1));
+  path[2].length = 4.0;
+  ASSERT_TRUE(cut_turns(path, {1, 0.05, 72.0}, cut));
+  EXPECT_NEAR(cut.lines[1].length, 1.0, 1e-12);
+  EXPECT_EQ(cut.lines[1].gear, -1.0);
+  EXPECT_TRUE(cut.stops_behind(0));
+  EXPECT_FALSE(cut.stops_before(1));
+  // Exactly as far back: the turns touch, in different gears.
+  path[2].length = 3.0;
+  ASSERT_TRUE(cut_turns(path, {1, 0.05, 72.0}, cut));
+  EXPECT_TRUE(cut.lines[1].is_tied);
+  EXPECT_EQ(cut.lines[1].gear, 0.0);
+  EXPECT_TRUE(cut.stops_behind(0));
+  EXPECT_TRUE(cut.stops_before(1));
+  EXPECT_FALSE(cut_turns(Path{{{0.0, 0.0, 0.0}, 2.0, 0.0}}, {1, 0.05, 72.0}, cut));
 }
 
 // Three groups of three arcs each, with long lines between the groups.
@@ -291,19 +361,19 @@ TEST(ArcChain, HeadingsAreNotWrapped) {
 
 TEST(ArcChain, KnowsWhichPartsAreDrivenForwards) {
   const ArcChain chain = chain_of_groups();
-  EXPECT_TRUE(chain.is_forwards());
+  EXPECT_TRUE(chain.is_drivable());
   for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
     ArcChain wrong = chain;
     wrong.lines[i + 1].heading = wrong.lines[i].heading;
-    EXPECT_FALSE(wrong.is_forwards());
+    EXPECT_FALSE(wrong.is_drivable());
     wrong = chain;
     wrong.arcs[i].sign = -1.0;
-    EXPECT_FALSE(wrong.is_forwards());
+    EXPECT_FALSE(wrong.is_drivable());
   }
   for (std::size_t i = 0; i < chain.lines.size(); ++i) {
     ArcChain wrong = chain;
     wrong.lines[i].length = 0.0;
-    EXPECT_EQ(wrong.is_forwards(), chain.lines[i].is_tied);
+    EXPECT_EQ(wrong.is_drivable(), chain.lines[i].is_tied);
   }
 }
 

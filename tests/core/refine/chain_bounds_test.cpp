@@ -61,7 +61,7 @@ TEST(ChainBounds, EveryPartHasItsOwn) {
   std::size_t slow = 0, fast = 0;
   for (int i = 0; i < 100; ++i) {
     const ArcChain chain = test::random_arcs(random, 6);
-    find_bounds(chain, kBoundSpeeds, bounds);
+    find_bounds(chain, {kBoundSpeeds, kBoundSpeeds}, bounds);
     const std::size_t arcs = chain.arcs.size();
     const auto untied = static_cast<std::size_t>(std::ranges::count(chain.lines, false, &ArcChain::Line::is_tied));
     for (const Limit limit :
@@ -91,8 +91,8 @@ TEST(ChainBounds, ValuesAreThoseDefinedAndGradientsTheirDerivatives) {
   test::RandomInputs random(2);
   std::vector<Bound> bounds;
   for (int i = 0; i < 100; ++i) {
-    const ArcChain chain = test::random_arcs(random, 6);
-    find_bounds(chain, kBoundSpeeds, bounds);
+    const ArcChain chain = test::random_arcs(random, 6, i % 2 == 1);
+    find_bounds(chain, {kBoundSpeeds, kBoundSpeeds}, bounds);
     for (const Bound& bound : bounds) {
       SCOPED_TRACE(testing::Message() << "chain " << i << " limit " << static_cast<int>(bound.limit) << " of part "
                                       << bound.index);

@@ -78,6 +78,15 @@ class ContactCases {
   test::RandomInputs random_;
 };
 
+// The chain driven from its end to its start, backwards.
+ArcChain backwards(const ArcChain& chain) {
+  ArcChain result;
+  EXPECT_TRUE(cut_turns(reversed(test::path_of(chain)), {1, 0.05, 72.0}, result));
+  EXPECT_EQ(result.arcs.size(), chain.arcs.size());
+  for (ArcChain::Line& line : result.lines) line.ahead = direction_of(line.heading);
+  return result;
+}
+
 // The chain after a random step of all that can move; nothing if it has no such path.
 std::optional<ArcChain> randomly_moved(const ArcChain& chain, double most, test::RandomInputs& random) {
   ArcChain moved = chain;
@@ -90,7 +99,7 @@ std::optional<ArcChain> randomly_moved(const ArcChain& chain, double most, test:
     if (i > 0 && i + 1 < moved.lines.size()) line.heading += random.uniform(-0.3, 0.3) * most;
     if (!line.is_tied) line.length = std::max(1e-3, line.length + random.uniform(-most, most));
   }
-  if (!moved.join() || !moved.is_forwards()) return std::nullopt;
+  if (!moved.join() || !moved.is_drivable()) return std::nullopt;
   return moved;
 }
 
@@ -165,6 +174,27 @@ TEST(ChainContacts, OfASmallerBodyThatIsGrownOnAllPartsAreTheSame) {
   EXPECT_GT(compared, 500u);
 }
 
+TEST(ChainContacts, AreAsFarBackwards) {
+  ContactCases cases(ClutterKind::kStar, 7);
+  std::size_t compared = 0;
+  for (int i = 0; i < 10; ++i) {
+    const ArcChain chain = cases.next(), back = backwards(chain);
+    const auto distances = [&](const ArcChain& of) {
+      const ChainContacts contacts = cases.contacts_of(of);
+      std::vector<double> all;
+      for (std::size_t k = 0; k < contacts.size(); ++k)
+        if (const double distance = contacts.look(of, k).distance; distance < kInfinity) all.push_back(distance);
+      std::ranges::sort(all);
+      return all;
+    };
+    const std::vector<double> there = distances(chain), here = distances(back);
+    ASSERT_EQ(here.size(), there.size()) << "chain " << i;
+    for (std::size_t k = 0; k < here.size(); ++k) EXPECT_NEAR(here[k], there[k], 1e-9) << "chain " << i;
+    compared += here.size();
+  }
+  EXPECT_GT(compared, 500u);
+}
+
 // Whether a contact is where it was, after a step of a number, in a place that stays smooth.
 bool stays(const ChainContacts& contacts, const ArcChain& chain, std::size_t contact,
            const ChainContacts::Place& place) {
@@ -202,8 +232,10 @@ TEST(ChainContacts, DerivativesAreThoseOfTheDistances) {
     ContactCases cases(kind, 4);
     for (int i = 0; i < 10; ++i) {
       const ArcChain free = cases.next();
-      ChainContacts contacts = cases.contacts_of(free);
-      const ArcChain chain = randomly_moved(free, 0.2, cases.random()).value_or(free);
+      const ArcChain moved = randomly_moved(free, 0.2, cases.random()).value_or(free);
+      const bool is_back = i % 2 == 1;
+      const ArcChain chain = is_back ? backwards(moved) : moved;
+      ChainContacts contacts = cases.contacts_of(is_back ? backwards(free) : free);
       for (std::size_t k = 0; k < contacts.size(); ++k) {
         const ChainContacts::Place place = contacts.look_around(chain, k);
         if (place.distance == kInfinity) continue;
@@ -261,7 +293,7 @@ TEST(ChainContacts, AgreeWithTheExactQuery) {
       for (int k = 0; k < 60; ++k) {
         const double most = std::pow(10.0, cases.random().uniform(-3.0, -0.5));
         const auto moved = randomly_moved(chain, most, cases.random());
-        // Edges that the body overlaps by more than 0.3 of its length are not seen.
+        // Edges that the body overlaps by much are not seen.
         if (!moved || joint_movement(chain, *moved) > 0.45) continue;
         ChainContacts contacts = cases.contacts_of(chain);
         double least = kInfinity, least_of_corners = kInfinity;

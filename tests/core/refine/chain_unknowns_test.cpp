@@ -20,7 +20,7 @@ namespace {
 constexpr double kUnknownsTightest = 1.3;  // [m]
 
 // A chain whose equations do not hold: their derivatives have to be right all the same.
-ArcChain random_unjoined_arcs(test::RandomInputs& random) {
+ArcChain random_unjoined_arcs(test::RandomInputs& random, bool in_both_gears = false) {
   ArcChain chain;
   const auto arcs = random.integer(1, 7);
   const auto pose = [&] { return Pose{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), 0.0}; };
@@ -35,6 +35,7 @@ ArcChain random_unjoined_arcs(test::RandomInputs& random) {
     chain.arcs.push_back(
         {random.point(-9.0, 9.0), random.uniform(1.3, 5.0), sign, random.uniform(0.5, 9.0), random.uniform(0.5, 9.0)});
   }
+  if (in_both_gears) test::set_random_gears(random, chain);
   return chain;
 }
 
@@ -94,13 +95,18 @@ TEST(ChainUnknowns, HaveDistinctNumbersAlongThePath) {
   test::RandomInputs random(1);
   ChainUnknowns unknowns;
   for (int i = 0; i < 100; ++i) {
-    const ArcChain chain = random_unjoined_arcs(random);
+    const ArcChain chain = random_unjoined_arcs(random, i % 2 == 1);
     unknowns.number(chain, kUnknownsTightest);
     const std::size_t n = chain.arcs.size();
     const auto tied = static_cast<std::size_t>(std::ranges::count(chain.lines, true, &ArcChain::Line::is_tied));
-    // Of an arc: center, radius and two speeds; a tied line has one speed. Of a line: its length, two tensions, and
-    // its heading.
-    EXPECT_EQ(unknowns.size(), 5 * n - tied + (n + 1 - tied) + 2 * (n + 1) + (n - 1));
+    std::size_t speeds = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      speeds += !chain.stops_before(k) && !chain.lines[k].is_tied;
+      speeds += !chain.stops_behind(k);
+    }
+    // Of an arc: center and radius, and two speeds but for those at stops; a tied line has one speed. Of a line: its
+    // length, two tensions, and its heading.
+    EXPECT_EQ(unknowns.size(), 3 * n + speeds + (n + 1 - tied) + 2 * (n + 1) + (n - 1));
     EXPECT_EQ(unknowns.equations(), 2 * (n + 1));
     std::set<int> all;
     for (std::size_t k = 0; k < n; ++k) {
@@ -150,13 +156,14 @@ TEST(ChainUnknowns, NeighborsShareWhatTheyHaveInCommon) {
 TEST(ChainUnknowns, AreScaledByWhatTheyAre) {
   test::RandomInputs random(3);
   ChainUnknowns unknowns;
-  const ArcChain chain = random_unjoined_arcs(random);
-  unknowns.number(chain, kUnknownsTightest);
+  ArcChain chain = random_unjoined_arcs(random);
   const auto expect_scale = [&](int number, double scale) {
     const auto at = static_cast<std::size_t>(number);
     EXPECT_FALSE(unknowns.is_tension(at));
     EXPECT_NEAR(unknowns.inverse_squares()[at] * scale * scale, 1.0, 1e-12);
   };
+  chain.lines.front().length = 0.01;
+  unknowns.number(chain, kUnknownsTightest);
   for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
     const Numbers& arc = unknowns.of_arc(k);
     expect_scale(arc[kCenterX], kUnknownsTightest);
@@ -165,7 +172,7 @@ TEST(ChainUnknowns, AreScaledByWhatTheyAre) {
     expect_scale(arc[kExit], 0.3 * chain.arcs[k].exit);
     if (!chain.lines[k].is_tied) {
       expect_scale(arc[kEntry], 0.3 * chain.arcs[k].entry);
-      expect_scale(unknowns.of_line(k)[kLength], kUnknownsTightest);
+      expect_scale(unknowns.of_line(k)[kLength], std::min(kUnknownsTightest, chain.lines[k].length));
     }
     if (k > 0) expect_scale(arc[kHeading], 0.3);
   }
@@ -214,7 +221,7 @@ TEST(ChainUnknowns, EquationsAddTheirDerivatives) {
   ChainUnknowns unknowns;
   BandedLdlt matrix;
   for (int i = 0; i < 20; ++i) {
-    const ArcChain chain = random_unjoined_arcs(random);
+    const ArcChain chain = random_unjoined_arcs(random, i % 2 == 1);
     unknowns.number(chain, kUnknownsTightest);
     const auto n = static_cast<Eigen::Index>(unknowns.size());
     std::vector<Vec2> tensions(chain.lines.size());

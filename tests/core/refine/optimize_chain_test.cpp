@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,8 +15,10 @@
 #include "arcway/datasets/clutter.h"
 #include "arcway/planner.h"
 #include "core/collision/motion_free.h"
+#include "core/motion/gear_words.h"
 #include "core/motion/speed_profile.h"
 #include "tests/support/free_plans.h"
+#include "tests/support/gear_paths.h"
 #include "tests/support/random_inputs.h"
 
 namespace arcway::internal {
@@ -66,7 +69,7 @@ OptimizedPath optimized_path(ChainOptimizer& optimizer, const OptimizedWorld& in
   CircleChain optimized;
   OptimizedPath now;
   now.result =
-      optimizer.optimize({chain, lines, vehicle, in.world, in.outlines, effort, clock, {}, clearance}, optimized);
+      optimizer.optimize(chain, lines, {vehicle, in.world, in.outlines, effort, clock, {}, clearance}, optimized);
   const auto joints = now.result.is_optimized ? lines_of(optimized) : std::nullopt;
   if (!joints) return now;
   for (const TurnCircle& circle : optimized.circles) EXPECT_GE(circle.radius, vehicle.min_turning_radius());
@@ -280,6 +283,106 @@ TEST(OptimizeChain, TurnsAreWiderWhereTheVehicleIsFaster) {
   ASSERT_EQ(radii.size(), 6u);
   for (const std::size_t i : {0u, 1u}) EXPECT_LT(1.2 * radii[i], radii[i + 1]);
   for (const std::size_t i : {3u, 4u}) EXPECT_GT(radii[i], 1.2 * radii[i + 1]);
+}
+
+// An optimized path in both gears, with what holds for all of them.
+OptimizedPath optimized_in_both_gears(ChainOptimizer& optimizer, const OptimizedWorld& in, const Path& path,
+                                      const Vehicle& vehicle, const ChainEffort& effort = kUsualEffort) {
+  OptimizedPath now;
+  now.result = optimizer.optimize(path, {vehicle, in.world, in.outlines, effort}, now.path);
+  if (!now.result.is_optimized) return now;
+  now.time = speed_profile(now.path, vehicle).total_time;
+  now.is_free = motion_free(*in.queries.sweep, vehicle.body(0.5 * vehicle.safety_margin()), now.path);
+  const auto expect_same = [](const Pose& a, const Pose& b) {
+    EXPECT_NEAR((a.position() - b.position()).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(wrap_signed(a.heading - b.heading), 0.0, 1e-9);
+  };
+  expect_same(now.path.front().start, path.front().start);
+  expect_same(now.path.back().end(), path.back().end());
+  for (std::size_t i = 0; i < now.path.size(); ++i) {
+    if (i > 0) expect_same(now.path[i - 1].end(), now.path[i].start);
+    if (!now.path[i].is_line()) {
+      EXPECT_GE(1.0 / std::abs(now.path[i].curvature), vehicle.min_turning_radius() * (1.0 - 1e-15));
+    }
+  }
+  EXPECT_LE(cusps_of(now.path), cusps_of(path));
+  return now;
+}
+
+std::vector<Vehicle> vehicles_in_both_gears() {
+  std::vector<Vehicle> vehicles;
+  const auto add = [&](const TurnSpeedLaw& law, double reverse) {
+    vehicles.push_back(
+        Vehicle({.max_speed = 4.0, .turn_speed = law, .max_reverse_speed = reverse, .max_acceleration = 2.0}));
+  };
+  add(LateralAccelerationLimit{2.0}, 4.0);
+  add(LateralAccelerationLimit{2.0}, 1.0);  // slower backwards than in the tightest turn
+  add(ConstantTurnSpeed{1.5}, 4.0);
+  add(ConstantTurnSpeed{1.5}, 1.0);
+  add(TurnSpeedTable{{{1.0, 1.0}, {9.0, 3.0}}}, 4.0);
+  add(TurnSpeedTable{{{1.0, 1.0}, {9.0, 3.0}}}, 0.5);
+  return vehicles;
+}
+
+TEST(OptimizeChain, ServesVehiclesOfOneTurnSpeedInBothGears) {
+  for (const Vehicle& vehicle : vehicles_in_both_gears()) EXPECT_TRUE(ChainOptimizer::serves_in_both_gears(vehicle));
+  EXPECT_FALSE(ChainOptimizer::serves_in_both_gears(Vehicle({.turn_speed = TurnSpeedTable{{{0.5, 1.0}, {1.2, 3.0}}}})));
+}
+
+TEST(OptimizeChain, MostPathsInBothGearsBecomeFasterAndStayFree) {
+  const Clutter clutter =
+      generate_clutter({.kind = ClutterKind::kConvex, .obstacles = 25, .vertices = 6, .fill = 0.12, .seed = 3});
+  const OptimizedWorld in(World(clutter.obstacles, clutter.bounds));
+  test::RandomInputs random(11);
+  ChainOptimizer optimizer, again;
+  const Vec2 low = in.world.box().min, span = in.world.box().max - low;
+  for (const Vehicle& vehicle : vehicles_in_both_gears()) {
+    int tried = 0, free = 0, faster = 0;
+    double share = 0.0;
+    while (tried < 25) {
+      Path path = test::random_gear_path(random, 1.3 * vehicle.min_turning_radius(), 0.2 * span.minCoeff());
+      const Vec2 to = low + span.cwiseProduct(random.point(0.1, 0.7));
+      for (PathSegment& segment : path) {
+        segment.start.x += to.x();
+        segment.start.y += to.y();
+      }
+      if (!motion_free(*in.queries.sweep, vehicle.body(0.5 * vehicle.safety_margin()), path)) continue;
+      ++tried;
+      const double before = speed_profile(path, vehicle).total_time;
+      const OptimizedPath result = optimized_in_both_gears(optimizer, in, path, vehicle);
+      const OptimizedPath same = optimized_in_both_gears(again, in, path, vehicle);
+      EXPECT_EQ(same.time, result.time);
+      if (!result.result.is_optimized || !result.is_free) continue;
+      ++free;
+      faster += result.time < before;
+      share += std::min(result.time / before, 1.0);
+    }
+    EXPECT_GE(free, 22);
+    EXPECT_GE(faster, 22);
+    EXPECT_LT(share, 0.92 * free);
+  }
+}
+
+// A change of gear lies where both parts of the path together are the fastest. Moved aside, the way is longer.
+TEST(OptimizeChain, FindsTheTurnInThreePoints) {
+  const OptimizedWorld in{World({})};
+  const Vehicle vehicle({.turn_speed = ConstantTurnSpeed{1.0}, .max_acceleration = 2.0});
+  const double radius = vehicle.min_turning_radius();
+  // Half a turn about one place: three arcs of a sixth of a circle each, all of the smallest radius, are the shortest.
+  Path path{{{0.0, 0.0, 0.0}, 1.0, 0.0}};
+  for (const auto& [turn, curvature, gear] : {std::tuple{1.2, 0.8 / radius, Gear::kForward},
+                                              {0.8, -0.9 / radius, Gear::kReverse},
+                                              {kPi - 2.0, 0.7 / radius, Gear::kForward}})
+    path.push_back({path.back().end(), turn / std::abs(curvature), curvature, gear});
+  ChainOptimizer optimizer;
+  const OptimizedPath result = optimized_in_both_gears(optimizer, in, path, vehicle, {1, 0.05, 100, 1e-3});
+  ASSERT_TRUE(result.result.is_optimized);
+  double fastest = speed_profile(path, vehicle).total_time;
+  EXPECT_LT(result.time, 0.97 * fastest);
+  for (std::size_t word = 0; word < kGearWords; ++word)
+    if (const auto other = GearWords(path.front().start, path.back().end(), radius).path(word))
+      if (cusps_of(*other) == 2) fastest = std::min(fastest, speed_profile(*other, vehicle).total_time);
+  EXPECT_LE(result.time, 1.001 * fastest);
 }
 
 TEST(OptimizeChain, IsNotDoneWhereNoLineGivesWay) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <tuple>
 #include <utility>
 
 #include "arcway/angle.h"
@@ -159,6 +161,39 @@ TEST(RefineReversing, StopsWhenItIsAsked) {
   EXPECT_FALSE(refined.interrupted);
   EXPECT_EQ(cusps_of(refined.path), 0u);
   EXPECT_NEAR(length_of(refined.path), 1.0, 1e-9);
+}
+
+// All turns and the places of both changes of gear are optimized at once, for a vehicle of one turn speed as well.
+TEST(RefineReversing, OptimizesChangesOfGearWithAllTurns) {
+  const World world({box(-6.0, -4.0, 12.0, -3.0), box(-6.0, 4.0, 12.0, 5.0)});
+  const Outlines outlines(world);
+  const QuerySet queries = make_reference_queries(world);
+  for (const TurnSpeedLaw& law : {TurnSpeedLaw(ConstantTurnSpeed{1.0}), TurnSpeedLaw(LateralAccelerationLimit{2.0})}) {
+    const Vehicle vehicle({.turn_speed = law, .max_acceleration = 2.0});
+    Path path{{{0.0, -1.0, 0.0}, 2.0, 0.0}};
+    for (const auto& [length, curvature, gear] :
+         {std::tuple{2.0, 0.6, Gear::kForward}, {1.5, -0.7, Gear::kReverse}, {1.5, 0.5, Gear::kForward}})
+      path.push_back({path.back().end(), length, curvature, gear});
+    const Pose start = path.front().start, goal = path.back().end();
+    const auto refined = [&](std::uint32_t moves) {
+      RefineOptions options;
+      options.moves = moves;
+      const RefinedPath result = refine_reversing_path({.path = path,
+                                                        .start = start,
+                                                        .goal = goal,
+                                                        .vehicle = vehicle,
+                                                        .sweep = *queries.sweep,
+                                                        .options = options,
+                                                        .world = &world,
+                                                        .outlines = &outlines},
+                                                       {});
+      expect_valid(world, vehicle, start, goal, result.path);
+      return result.travel_time;
+    };
+    const std::uint32_t alone = move_bit("optimize turns in both gears");
+    EXPECT_LT(refined(alone), 0.95 * refined(0));
+    EXPECT_LE(refined(~0u), 1.0001 * refined(~alone));
+  }
 }
 
 // Forwards through a clutter and back again: where no word is tried, the change of gear stays. The outlines let the
