@@ -61,6 +61,19 @@ bool follow_circles(ArcChain& chain, std::size_t i) {
   return true;
 }
 
+Gear gear_of(double sign) { return sign < 0.0 ? Gear::kReverse : Gear::kForward; }
+
+// Adds a turn on a circle, cut into tied arcs. Returns the heading at its end.
+double add_turn(const ArcChain::Arc& arc, double heading, double turn, const TurnCuts& cuts, ArcChain& to) {
+  const bool is_whole = turn < cuts.least || arc.radius >= cuts.widest;
+  const int parts = is_whole ? 1 : turn > kLargeTurn ? cuts.parts + 1 : cuts.parts;
+  for (int k = 0; k < parts; ++k) {
+    if (k > 0) to.lines.push_back({heading + arc.turning() * turn * k / parts, 0.0, true, Vec2::Zero(), arc.gear});
+    to.arcs.push_back(arc);
+  }
+  return heading + arc.turning() * turn;
+}
+
 }  // namespace
 
 bool ArcChain::join() {
@@ -98,17 +111,6 @@ bool ArcChain::is_drivable() const {
   return std::ranges::all_of(lines, [](const Line& line) { return line.is_tied || line.length > 0.0; });
 }
 
-namespace {
-
-int parts_of(double turn, double radius, const TurnCuts& cuts) {
-  if (turn < cuts.least || radius >= cuts.widest) return 1;
-  return turn > kLargeTurn ? cuts.parts + 1 : cuts.parts;
-}
-
-Gear gear_of(double sign) { return sign < 0.0 ? Gear::kReverse : Gear::kForward; }
-
-}  // namespace
-
 bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const TurnCuts& cuts, ArcChain& result) {
   result.is_joined = true;
   result.start = chain.start;
@@ -124,12 +126,7 @@ bool cut_turns(const CircleChain& chain, std::span<const Bitangent> lines, const
     const double turn = turn_between(lines[i].start.heading, lines[i + 1].start.heading, circle.side);
     const bool is_tied = i > 0 && are_tied(chain, lines, i - 1);
     result.lines.push_back({heading, is_tied ? 0.0 : std::max(lines[i].length, shortest), is_tied});
-    const int parts = parts_of(turn, circle.radius, cuts);
-    for (int k = 0; k < parts; ++k) {
-      if (k > 0) result.lines.push_back({heading + sign * turn * k / parts, 0.0, true});
-      result.arcs.push_back({circle.center, circle.radius, sign, 0.0, 0.0});
-    }
-    heading += sign * turn;
+    heading = add_turn({circle.center, circle.radius, sign, 0.0, 0.0}, heading, turn, cuts, result);
   }
   result.lines.push_back({heading, std::max(lines[n].length, shortest), false});
   return result.join() && result.is_drivable();
@@ -168,14 +165,8 @@ bool cut_turns(std::span<const PathSegment> path, const TurnCuts& cuts, ArcChain
     }
     const double radius = 1.0 / std::abs(s.curvature), sign = std::copysign(1.0, s.curvature);
     add_line(sign, gear);
-    const double turn = s.length / radius;
-    const int parts = parts_of(turn, radius, cuts);
     const Vec2 center = s.start.position() + sign * radius * perpendicular(direction_of(heading));
-    for (int k = 0; k < parts; ++k) {
-      if (k > 0) result.lines.push_back({heading + gear * sign * turn * k / parts, 0.0, true, Vec2::Zero(), gear});
-      result.arcs.push_back({center, radius, sign, 0.0, 0.0, gear});
-    }
-    heading += gear * sign * turn;
+    heading = add_turn({center, radius, sign, 0.0, 0.0, gear}, heading, s.length / radius, cuts, result);
   }
   if (result.arcs.empty()) return false;
   const ArcChain::Arc& last = result.arcs.back();

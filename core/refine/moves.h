@@ -126,7 +126,7 @@ inline constexpr double kAtBound = 3e-4;
 inline constexpr std::uint64_t kTrialsBefore = 1000;
 /// Most steps of the optimizer times circles of a chain, and how many steps it may take at any rate. Of 400 driven
 /// worlds without such a bound, one took 5.8 s, and 5.1 s with it; the plans are as fast in the mean.
-inline constexpr int kMostCircleSteps = 1500, kLeastSteps = 10;
+inline constexpr std::size_t kMostCircleSteps = 1500, kLeastSteps = 10;
 /// Most rounds of optimizing a best path.
 inline constexpr int kMostRounds = 2;
 /// Share of the travel time that a round must save, if another one is to follow.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -19,6 +21,12 @@ struct ChainEffort {
   double least_turn;     ///< smallest turn that is cut [rad]
   int iterations;        ///< most steps; each takes some 2 us for each arc
   double first_barrier;  ///< weight of the barrier at first, as a share of the travel time
+  /// With no more than so many steps.
+  [[nodiscard]] ChainEffort within(std::uint64_t steps) const {
+    ChainEffort effort = *this;
+    effort.iterations = static_cast<int>(std::min(static_cast<std::uint64_t>(iterations), steps));
+    return effort;
+  }
 };
 
 /// Who drives a chain or a path that is to be optimized, and where. What is referred to must outlive the optimization.

@@ -265,10 +265,8 @@ class Refiner {
 
   bool take(const OptimizeTurns& move) {
     if (done()) return false;
-    ChainEffort effort = move.effort;
-    const int bounded = std::max(kMostCircleSteps / static_cast<int>(circles().size()), kLeastSteps);
-    effort.iterations = static_cast<int>(std::min<std::uint64_t>(
-        static_cast<std::uint64_t>(std::min(effort.iterations, bounded)), most_trials_ - result_.trials));
+    const std::uint64_t bounded = std::max(kMostCircleSteps / circles().size(), kLeastSteps);
+    const ChainEffort effort = move.effort.within(std::min(bounded, most_trials_ - result_.trials));
     const auto [is_optimized, iterations] = optimizer_.optimize(
         chain_.chain(), lines(),
         {vehicle_, *query_.world, *query_.outlines, effort, clock_, query_.ends, query_.clearance_cost}, optimized_);

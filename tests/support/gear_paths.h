@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 #include "arcway/path.h"
 #include "core/motion/gear_words.h"

@@ -130,7 +130,7 @@ TEST(PlanSteps, PlanPartsOfANarrowWayAgain) {
   EXPECT_GT(in_parts.statistics.maneuver_poses, whole.statistics.maneuver_poses);
 }
 
-// Far above the lower bound: by 80 % on a way of single arcs of many radii, and by 160 % on one with changes of gear.
+// Far above the lower bound, on a way with changes of gear.
 TEST(PlanSteps, PlanPartsOfAWayThatIsHardToFindAgain) {
   expect_faster_than_the_drive_by_its_row({"driven/carved/r8/g2/c50/s14106", "parts planned again", true}, 1.0,
                                           {"other ways by trees", "other ways by trees in both gears", kGearOptimizer});

@@ -363,12 +363,11 @@ TEST(OptimizeChain, MostPathsInBothGearsBecomeFasterAndStayFree) {
   }
 }
 
-// A change of gear lies where both parts of the path together are the fastest. Moved aside, the way is longer.
+// Without obstacles, three turns that are too wide become as fast as the best word of the smallest radius.
 TEST(OptimizeChain, FindsTheTurnInThreePoints) {
   const OptimizedWorld in{World({})};
   const Vehicle vehicle({.turn_speed = ConstantTurnSpeed{1.0}, .max_acceleration = 2.0});
   const double radius = vehicle.min_turning_radius();
-  // Half a turn about one place: three arcs of a sixth of a circle each, all of the smallest radius, are the shortest.
   Path path{{{0.0, 0.0, 0.0}, 1.0, 0.0}};
   for (const auto& [turn, curvature, gear] : {std::tuple{1.2, 0.8 / radius, Gear::kForward},
                                               {0.8, -0.9 / radius, Gear::kReverse},
