@@ -185,7 +185,12 @@ void SpeedZones::cut(const PathSegment& segment, std::vector<Stretch>& stretches
     // Parts within the margin have the limit of a neighbor.
     if (to - from <= margin_ && to < segment.length) continue;
     const double cap = cap_at(track.at(0.5 * (from + to)));
-    // A segment that was cut before ends behind the border by the margin, but for rounding.
+    // A segment that was cut before begins before the border by the margin, but for rounding,
+    if (stretches.size() == 1 && from <= 2.0 * margin_ && cap < stretches.back().cap) {
+      stretches.clear();
+      from = 0.0;
+    }
+    // or ends behind it.
     const bool is_within_margin = to - from <= 2.0 * margin_ && !stretches.empty() && stretches.back().cap < cap;
     if (stretches.empty() || (stretches.back().cap != cap && !is_within_margin)) {
       // The lower one of two limits begins sooner, or ends later.

@@ -69,6 +69,26 @@ TEST(SpeedZones, HoldToTheEndOfASegmentThatEndsRightBehindThem) {
   EXPECT_EQ(stretches[1].cap, INFINITY);
 }
 
+// So does one that begins there.
+TEST(SpeedZones, HoldFromTheBeginningOfASegmentThatBeginsRightBeforeThem) {
+  const SpeedZones zones(std::vector<Zone>{{box(33, -5, 39, 5), SpeedLimit{0.7}}});
+  std::vector<SpeedZones::Stretch> stretches;
+  for (const double before : {-1e-9, 0.0, 1e-9, 3.9e-8, 3.9e-8 + 1e-14, 4.2e-8}) {
+    zones.cut({{33.0 - before, 0.0, 0.0}, 4.0, 0.0}, stretches);
+    ASSERT_EQ(stretches.size(), 1u) << before;
+    EXPECT_EQ(stretches[0].cap, 0.7);
+    EXPECT_EQ(stretches[0].length, 4.0);
+    zones.cut({{33.0 - before, 0.0, 0.0}, 8.0, 0.0}, stretches);
+    ASSERT_EQ(stretches.size(), 2u) << before;
+    EXPECT_EQ(stretches[0].cap, 0.7);
+    EXPECT_NEAR(stretches[0].length, 6.0 + before, 1e-7);
+    EXPECT_NEAR(stretches[0].length + stretches[1].length, 8.0, 1e-14);
+  }
+  zones.cut({{33.0 - 1e-6, 0.0, 0.0}, 4.0, 0.0}, stretches);
+  ASSERT_EQ(stretches.size(), 2u);
+  EXPECT_EQ(stretches[0].cap, INFINITY);
+}
+
 TEST(SpeedZones, CutsWhereSamplesOfEachMillimeterSay) {
   test::RandomInputs random(5);
   std::size_t cuts = 0;
