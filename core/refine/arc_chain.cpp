@@ -186,13 +186,12 @@ PathSegment segment_of(const ArcChain& chain, std::size_t part) {
   return {{place.x(), place.y(), line.heading}, arc.radius * chain.turn(i), arc.sign / arc.radius, gear_of(arc.gear)};
 }
 
-Path path_of(const ArcChain& chain) {
-  Path path;
+void path_of(const ArcChain& chain, Path& path) {
+  path.clear();
   for (std::size_t part = 0; part <= 2 * chain.arcs.size(); ++part) {
     const PathSegment segment = segment_of(chain, part);
     if (segment.length > 0.0) path.push_back(segment);
   }
-  return path;
 }
 
 void circles_of(const ArcChain& arcs, CircleChain& result) {

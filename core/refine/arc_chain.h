@@ -85,8 +85,8 @@ bool cut_turns(std::span<const PathSegment> path, const TurnCuts& cuts, ArcChain
 
 /// A part of a chain as a motion: line i is part 2 i, arc i is part 2 i + 1.
 PathSegment segment_of(const ArcChain& chain, std::size_t part);
-/// All of a chain's motions that have a length.
-Path path_of(const ArcChain& chain);
+/// All of a chain's motions that have a length. Takes the place of what was in the path.
+void path_of(const ArcChain& chain, Path& path);
 
 /// The circles of a chain of arcs. Arcs that touch do so up to rounding, and neighbors of one radius become one.
 void circles_of(const ArcChain& arcs, CircleChain& result);

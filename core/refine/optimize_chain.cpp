@@ -409,8 +409,8 @@ ChainOptimizer::~ChainOptimizer() = default;
 ChainOptimizer::ChainOptimizer(ChainOptimizer&&) noexcept = default;
 ChainOptimizer& ChainOptimizer::operator=(ChainOptimizer&&) noexcept = default;
 
-bool ChainOptimizer::serves(const Vehicle& vehicle) { return has_chain_speeds(vehicle); }
-bool ChainOptimizer::serves_in_both_gears(const Vehicle& vehicle) { return has_gear_speeds(vehicle); }
+bool ChainOptimizer::serves_chains(const Vehicle& vehicle) { return has_chain_speeds(vehicle); }
+bool ChainOptimizer::serves(const Vehicle& vehicle) { return has_gear_speeds(vehicle); }
 
 ChainOptimizer::Result ChainOptimizer::optimize(const CircleChain& chain, std::span<const Bitangent> lines,
                                                 const ChainQuery& query, CircleChain& optimized) {
@@ -428,7 +428,7 @@ ChainOptimizer::Result ChainOptimizer::optimize(std::span<const PathSegment> pat
   if (!cut_turns(path, method.cuts(), system.chain)) return {false, 0};
   const Result result = method.run();
   if (!result.is_optimized || !system.settle()) return {false, result.iterations};
-  optimized = path_of(system.chain);
+  path_of(system.chain, optimized);
   return result;
 }
 

@@ -31,7 +31,7 @@ struct ChainEffort {
 
 /// Who drives a chain or a path that is to be optimized, and where. What is referred to must outlive the optimization.
 struct ChainQuery {
-  const Vehicle& vehicle;  ///< see ChainOptimizer::serves
+  const Vehicle& vehicle;  ///< one that ChainOptimizer serves
   const World& world;
   const Outlines& outlines;  ///< of the world
   ChainEffort effort;
@@ -59,9 +59,9 @@ class ChainOptimizer {
   /// Whether chains of a vehicle can be optimized. It must be the faster the wider it turns, up to its top speed, by
   /// its lateral acceleration or by a table that ascends so far or to its end. Contacts are those of the rectangle
   /// around its body.
+  static bool serves_chains(const Vehicle& vehicle);
+  /// Whether paths of a vehicle can be optimized: it may as well drive all turns at one speed.
   static bool serves(const Vehicle& vehicle);
-  /// Whether paths of a vehicle in both gears can be optimized: it may as well drive all turns at one speed.
-  static bool serves_in_both_gears(const Vehicle& vehicle);
 
   struct Result {
     bool is_optimized;  ///< false if nothing can give way, or the clock is over at once
@@ -69,11 +69,12 @@ class ChainOptimizer {
   };
   /// Optimizes the chain of a free path.
   /// @param lines  of the chain.
-  /// Precondition: the vehicle is served.
+  /// Precondition: chains of the vehicle are served.
   Result optimize(const CircleChain& chain, std::span<const Bitangent> lines, const ChainQuery& query,
                   CircleChain& optimized);
-  /// Optimizes a free path in both gears. The gears of its motions stay, and where it changes gear the vehicle stops.
-  /// Precondition: the vehicle is served in both gears.
+  /// Optimizes a free path, in both gears too. The gears of its motions stay, and where it changes gear the vehicle
+  /// stops. No line has to give way, which takes a few more solves in the end.
+  /// Precondition: the vehicle is served.
   Result optimize(std::span<const PathSegment> path, const ChainQuery& query, Path& optimized);
 
   struct Memory;

@@ -54,6 +54,7 @@ struct PathRefiner::Memory {
   SpeedProfile profile;
   ChainOptimizer optimizer;
   CircleChain optimized;
+  Path optimized_path;
 };
 
 PathRefiner::PathRefiner() : memory_(std::make_unique<Memory>()) {}
@@ -82,12 +83,11 @@ class Refiner {
         headings_(memory.headings),
         optimizer_(memory.optimizer),
         optimized_(memory.optimized),
+        optimized_path_(memory.optimized_path),
         most_trials_(query.options.max_trials) {}
 
   void run(CircleChain& chain) {
-    // A radius is known by its curvature alone, and may come out too small by rounding.
-    for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_on(circle.side));
-    chain.place_ends();
+    widen_rounded(chain);
     if (!chain_.begin(chain, vehicle_, query_.ends, query_.speed_zones, query_.clearance_cost)) return;
     const double straight = (chain.goal.position() - chain.start.position()).norm();
     least_time_ = travel_time_lower_bound(chain.start, chain.goal, straight, vehicle_, false, query_.ends);
@@ -264,16 +264,34 @@ class Refiner {
   }
 
   bool take(const OptimizeTurns& move) {
-    if (done()) return false;
-    const std::uint64_t bounded = std::max(kMostCircleSteps / circles().size(), kLeastSteps);
-    const ChainEffort effort = move.effort.within(std::min(bounded, most_trials_ - result_.trials));
-    const auto [is_optimized, iterations] = optimizer_.optimize(
-        chain_.chain(), lines(),
-        {vehicle_, *query_.world, *query_.outlines, effort, clock_, query_.ends, query_.clearance_cost}, optimized_);
-    result_.trials += static_cast<std::uint64_t>(iterations);
-    if (!is_optimized || !chain_.make(optimized_) || !is_made_cheaper() || !are_free(chain_.made_path())) return false;
+    if (done() || !propose(move) || !chain_.make(optimized_) || !is_made_cheaper() || !are_free(chain_.made_path()))
+      return false;
     take_made();
     return true;
+  }
+
+  // Returns whether there is an optimized chain.
+  bool propose(const OptimizeTurns& move) {
+    const std::uint64_t bounded = std::max(kMostCircleSteps / circles().size(), kLeastSteps);
+    ChainEffort effort = move.effort.within(std::min(bounded, most_trials_ - result_.trials));
+    const bool are_chains_served = ChainOptimizer::serves_chains(vehicle_);
+    if (!are_chains_served) effort.first_barrier = move.one_speed_barrier;
+    const ChainQuery query{vehicle_, *query_.world, *query_.outlines,     effort,
+                           clock_,   query_.ends,   query_.clearance_cost};
+    const auto [is_optimized, iterations] = are_chains_served
+                                                ? optimizer_.optimize(chain_.chain(), lines(), query, optimized_)
+                                                : optimizer_.optimize(result_.path, query, optimized_path_);
+    result_.trials += static_cast<std::uint64_t>(iterations);
+    if (are_chains_served || !is_optimized) return is_optimized;
+    if (!chain_of(optimized_path_, chain_.chain().start, chain_.chain().goal, optimized_)) return false;
+    widen_rounded(optimized_);
+    return true;
+  }
+
+  // A radius is known by its curvature alone, and may come out too small by rounding.
+  void widen_rounded(CircleChain& chain) const {
+    for (TurnCircle& circle : chain.circles) circle.radius = std::max(circle.radius, smallest_on(circle.side));
+    chain.place_ends();
   }
 
   bool take(const DropTurns&) {
@@ -566,6 +584,7 @@ class Refiner {
   HeadingSet& headings_;
   ChainOptimizer& optimizer_;
   CircleChain& optimized_;
+  Path& optimized_path_;
   std::uint64_t most_trials_;
 };
 

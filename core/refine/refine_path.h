@@ -64,7 +64,8 @@ struct RefineQuery {
 /// - where wider turns are faster, parts of a turn become wider ones, step by step, and the ends tighter ones;
 /// - centers and radii slide, by steps that are halved down to the smallest.
 /// For vehicles that ChainOptimizer serves, the first three and rough slides are tried first, then all turns are
-/// optimized at once. The other changes follow only where that fails, or leaves a best path far from its bound.
+/// optimized at once. The other changes follow only where that fails, or for a best path: far from its bound, or where
+/// turns stay slower than lines however wide they are.
 /// A change is accepted only if the cost falls, and the swept area of the body grown by half of the safety margin is
 /// free by `sweep`. The cost is the travel time under the speed profile, plus that of driving close to obstacles. The
 /// result is therefore as free as the input and never costs more. It is a local optimum of these changes, not the

@@ -25,7 +25,7 @@ struct GearChanges {
 /// 3. Cusps move and turn, in steps that are halved down to the smallest. Dubins words of the smallest radius lead
 ///    there from the path before, and on to the path behind.
 /// 4. All turns and the poses where the gear changes are optimized at once, see ChainOptimizer, for vehicles that it
-///    serves in both gears and with outlines of the world. The gears stay.
+///    serves and with outlines of the world. The gears stay.
 /// 5. Runs between two cusps are left out, with outlines of the world. What is left is pushed free and to the goal by
 ///    push_free. That is tried at the optimum of the other moves and, if gear changes remain, on the given path: its
 ///    turns are wider. The other moves follow again.

@@ -16,6 +16,7 @@
 #include "arcway/planner.h"
 #include "arcway/visibility_graph.h"
 #include "arcway/world_change.h"
+#include "core/model/outlines.h"
 #include "core/model/vertex_map.h"
 #include "core/motion/speed_profile.h"
 #include "core/planner/planner_maps.h"
@@ -222,6 +223,7 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
   const PlanMaps maps(lazy_map(planner, radii), false);
   EXPECT_GT(maps.faster_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
   EXPECT_LT(maps.slower_turns.vehicle.turn_speed(radii[0]), vehicle.turn_speed(radii[0]));
+  const Outlines outlines(world);
   ArrivalSearch search;
   int other = 0;
   for (const PlanRequest& request : random_queries(world, queries, vehicle, {.count = 40, .seed = 5})) {
@@ -232,7 +234,8 @@ TEST_P(OneRadius, NoPlanIsSlowerThanTheOtherWaysRefined) {
     for (const Roadmap* map : {&maps.faster_turns, &maps.slower_turns}) {
       const auto path = search.find(*map, starts, goals, {}).path;
       if (!path || plan.travel_time <= 1.01 * plan.lower_bound) continue;
-      const RefinedPath refined = refine_path({*path, request.start, request.goal, vehicle, *queries.sweep});
+      const RefinedPath refined =
+          refine_path({*path, request.start, request.goal, vehicle, *queries.sweep, {}, {}, &world, &outlines});
       EXPECT_LE(plan.travel_time, refined.travel_time * (1.0 + 1e-12));
       other += speed_profile(*path, vehicle).total_time > plan.statistics.first_travel_time ? 1 : 0;
     }

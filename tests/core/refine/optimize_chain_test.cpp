@@ -88,9 +88,9 @@ double time_before(const CircleChain& chain, const Vehicle& vehicle = optimized_
   return speed_profile(path_of(chain, lines_of(chain).value()), vehicle).total_time;
 }
 
-TEST(OptimizeChain, ServesVehiclesThatAreFasterOnWiderArcs) {
+TEST(OptimizeChain, ServesChainsOfVehiclesThatAreFasterOnWiderArcs) {
   const auto serves = [](VehicleParameters parameters) {
-    return ChainOptimizer::serves(Vehicle(std::move(parameters)));
+    return ChainOptimizer::serves_chains(Vehicle(std::move(parameters)));
   };
   const LateralAccelerationLimit lateral{2.0};
   EXPECT_FALSE(serves({}));
@@ -182,7 +182,7 @@ TEST(OptimizeChain, MostResultsOfUnusualBodiesAreFreeAndFaster) {
   ChainOptimizer optimizer;
   for (std::size_t v = 0; v < vehicles.size(); ++v) {
     const Vehicle& vehicle = vehicles[v];
-    ASSERT_TRUE(ChainOptimizer::serves(vehicle));
+    ASSERT_TRUE(ChainOptimizer::serves_chains(vehicle));
     int faster = 0;
     double share = 0.0;
     for (const CircleChain& chain : free_chains(in.world, 8, 1 + v, vehicle)) {
@@ -324,9 +324,9 @@ std::vector<Vehicle> vehicles_in_both_gears() {
   return vehicles;
 }
 
-TEST(OptimizeChain, ServesVehiclesOfOneTurnSpeedInBothGears) {
-  for (const Vehicle& vehicle : vehicles_in_both_gears()) EXPECT_TRUE(ChainOptimizer::serves_in_both_gears(vehicle));
-  EXPECT_FALSE(ChainOptimizer::serves_in_both_gears(Vehicle({.turn_speed = TurnSpeedTable{{{0.5, 1.0}, {1.2, 3.0}}}})));
+TEST(OptimizeChain, ServesPathsOfVehiclesOfOneTurnSpeed) {
+  for (const Vehicle& vehicle : vehicles_in_both_gears()) EXPECT_TRUE(ChainOptimizer::serves(vehicle));
+  EXPECT_FALSE(ChainOptimizer::serves(Vehicle({.turn_speed = TurnSpeedTable{{{0.5, 1.0}, {1.2, 3.0}}}})));
 }
 
 TEST(OptimizeChain, MostPathsInBothGearsBecomeFasterAndStayFree) {

@@ -14,6 +14,7 @@
 #include "arcway/validation.h"
 #include "core/motion/dubins.h"
 #include "core/motion/speed_profile.h"
+#include "core/refine/optimize_chain.h"
 #include "tests/support/free_plans.h"
 #include "tests/support/random_inputs.h"
 
@@ -250,6 +251,32 @@ TEST(RefinePath, TurnsDrivenByATableAreOptimizedAsWell) {
   EXPECT_LT(with, 0.98 * without);
 }
 
+// The paper's robot: paths are faster by 0.4 % in the mean, for 0.3 times the trials.
+TEST(RefinePath, TurnsOfOneSpeedAreOptimizedAsWell) {
+  const Vehicle vehicle;
+  const World world =
+      random_world({.kind = ClutterKind::kConvex, .obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
+  const Outlines outlines(world);
+  const QuerySet queries = make_reference_queries(world);
+  double with = 0.0, without = 0.0;
+  std::uint64_t trials_with = 0, trials_without = 0;
+  for (const auto& [request, path] : cluttered_plans(world, 20)) {
+    RefineQuery query{path, request.start, request.goal, vehicle, *queries.sweep};
+    const RefinedPath other = refine_path(query);
+    query.world = &world;
+    query.outlines = &outlines;
+    const RefinedPath result = refine_path(query);
+    EXPECT_LE(result.travel_time, speed_profile(path, vehicle).total_time);
+    expect_valid(world, vehicle, request, result.path);
+    with += result.travel_time;
+    without += other.travel_time;
+    trials_with += result.trials;
+    trials_without += other.trials;
+  }
+  EXPECT_LT(with, without);
+  EXPECT_LT(3 * trials_with, trials_without);
+}
+
 TEST(RefinePath, OptimizationStopsWhenAskedAndAtItsLimit) {
   const Vehicle vehicle = real_vehicle();
   const World world = random_world({.obstacles = 40, .vertices = 10, .fill = 0.25, .seed = 3});
@@ -323,9 +350,10 @@ TEST(RefinePath, OptimizesNoTurnsOfAPathThatPromisesLess) {
   }
 }
 
-// A constant speed in turns: no optimization, so outlines change nothing.
+// No faster on wider arcs, by a table: no optimization, so outlines change nothing.
 TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
-  const Vehicle vehicle;
+  const Vehicle vehicle({.turn_speed = TurnSpeedTable{{{0.5, 1.0}, {1.2, 3.0}}}});
+  ASSERT_FALSE(ChainOptimizer::serves(vehicle));
   const World world({});
   const Outlines outlines(world);
   const Path path = detour();
@@ -340,7 +368,8 @@ TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
 
 // Queries on which refinement has ended in a worse local optimum. The better path of one pivots a turn around its
 // beginning, that of another has a turn in two parts close to each other. In a third, a turn begins sooner on the same
-// line. RRTConnect with shortcuts reaches these times within a second.
+// line. RRTConnect with shortcuts reaches these times within a second. Turns that are optimized keep the body 0.7 per
+// mille of its length away from obstacles.
 TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
   struct Query {
     const char* world;
@@ -353,7 +382,7 @@ TEST(RefinePath, IsNoSlowerThanWhatSamplingFinds) {
     const World world = catalog_world(q.world);
     const PlanRequest request = catalog_queries(q.world, q.number + 1, 1).back();
     const PlanResult plan = Planner(world, Vehicle()).plan(request);
-    EXPECT_LE(plan.travel_time, q.reached) << q.world;
+    EXPECT_LE(plan.travel_time, (1.0 + 5e-5) * q.reached) << q.world;
     expect_valid(world, Vehicle(), request, plan.path());
   }
 }
