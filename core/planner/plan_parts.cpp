@@ -31,9 +31,10 @@ std::size_t joint_next_to(double time, std::span<const double> durations) {
 
 void PlanRun::take(const PlanParts& step, double trials) {
   keep_all();
-  const double elsewhere = query_.request.reverse ? step.both_gears_gap : step.forwards_gap;
+  const bool reverse = query_.request.reverse;
+  const double elsewhere = reverse ? step.both_gears_gap : step.forwards_gap;
   if (is_easy_ || !has_gap(best_cost_, is_narrow_ ? step.gap : elsewhere, true)) return;
-  plan_parts(step.parts,
+  plan_parts(reverse ? step.parts : step.parts.first(step.forward_parts),
              {.scope = Scope::kPart,
               .gap = step.gap,
               .most_failed = step.most_failed,

@@ -245,6 +245,7 @@ struct PathPart {
 /// radii did not find the first path.
 struct PlanParts {
   std::span<const PathPart> parts;  ///< in order; each is one of the best path by then
+  std::size_t forward_parts;        ///< so many of them, the first ones, where the vehicle may not reverse
   double gap;                       ///< least gap of a part, and of the best path
   double forwards_gap;              ///< least gap of the best path elsewhere, driven forwards
   double both_gears_gap;            ///< the same where the vehicle may reverse

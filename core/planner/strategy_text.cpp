@@ -148,8 +148,8 @@ struct StepText {
     return "grow trees in both gears: " + std::to_string(step.poses) + " poses";
   }
   std::string operator()(const PlanParts& step) const {
-    return "plan " + std::to_string(step.parts.size()) +
-           " parts of the path again, in a narrow place or, if hard to find, with a gap > " +
+    return "plan " + std::to_string(step.forward_parts) + " parts of the path again, " +
+           std::to_string(step.parts.size()) + " in both gears, in a narrow place or, if hard to find, with a gap > " +
            percent(step.forwards_gap) + ", in both gears > " + percent(step.both_gears_gap);
   }
   std::string operator()(const PlanPartsQuickly& step) const {
