@@ -285,9 +285,11 @@ inline constexpr StrategyRow kStrategy[] = {
     {"200 maneuvers at both ends",
      {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.2},
      TryManeuvers{.poses = 200, .least_gain = 0.001}},
-    // Of 313 driven worlds, they make 8 faster, none by more than 1 %.
+    // Of 313 driven worlds, they make 8 faster, none by more than 1 %. Of 204 plans of the paper's robot among 100
+    // obstacles, 3 are slower by more than 0.05 % than those of an old state by trials, before 8 with a gap of 0.2, for
+    // 4 % more time.
     {"circles in gaps, for speed",
-     {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.2},
+     {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.08},
      TryNarrowPlaces{.least_gain = 0.001}},
     {"circles in gaps, for speed",
      {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.2, .best_gap = 0.2},
