@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <ostream>
 #include <string>
@@ -93,6 +94,20 @@ TEST(GearChanges, AreOptimizedWithAllTurns) {
 TEST(PlanSteps, OptimizeTurnsOfOneSpeed) {
   for (const char* world : {"driven/hugging/r6/g1/c50/s23077", "driven/hugging/r6/g1/c50/s23185"})
     expect_faster_than_the_drive_by_its_row({world, "optimize turns", false}, 1.0, {"optimize turns at length"});
+}
+
+// A gap between two obstacles is passed by a circle that touches both. The graph's path leads around one of them.
+TEST(PlanSteps, LookForFasterPathsThroughGaps) {
+  const std::string name = "clutter/convex/n100/m10/f45";
+  const World world = catalog_world(name);
+  const Planner with(world, Vehicle()), without(world, Vehicle(), {.leave_out = {"circles in gaps, for speed"}});
+  const std::vector<PlanRequest> requests = catalog_queries(name, 24, 1);
+  for (const std::size_t number : {8, 23}) {
+    const PlanResult plan = with.plan(requests[number]), other = without.plan(requests[number]);
+    ASSERT_TRUE(plan.solved() && other.solved());
+    test::expect_valid(with, plan);
+    EXPECT_LT(plan.travel_time, 0.95 * other.travel_time) << number;
+  }
 }
 
 // The graph's path passes the obstacle on the other side, and takes five times its lower bound.

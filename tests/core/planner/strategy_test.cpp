@@ -118,21 +118,6 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
   EXPECT_FALSE(tries_them("driven/rooms/r1/g1/c50/s2007"));   // 27 %
 }
 
-// What other ends, circles in gaps and trees at tight ends gain is not worth their time at these gaps.
-TEST(Strategy, RowsForSpeedAreLeftOutWhereTheyWinLittle) {
-  for (const StrategyRow& row : kStrategy) {
-    if (row.name == "another last circle" || row.name == "another first circle") {
-      EXPECT_LE(row.when.most_gap, 0.3);
-    }
-    if (row.name == "circles in gaps, for speed") {
-      EXPECT_GE(row.when.gap, 0.2);
-    }
-    if (row.name == "trees at tight ends") {
-      EXPECT_GE(row.when.gap, 0.5);
-    }
-  }
-}
-
 // Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
 TEST(Strategy, ChangesOfGearComeBeforeManeuvers) {
   const auto row = [](std::string_view name) { return std::ranges::find(kStrategy, name, &StrategyRow::name); };
