@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "arcway/vehicle.h"
 #include "core/refine/optimize_chain.h"
 
 namespace arcway::internal {
@@ -74,6 +75,11 @@ struct SlideCircles {
 struct OptimizeTurns {
   ChainEffort effort;
   double one_speed_barrier;  ///< ChainEffort::first_barrier, for vehicles that drive all turns at one speed
+  [[nodiscard]] ChainEffort effort_for(const Vehicle& vehicle) const {
+    ChainEffort chosen = effort;
+    if (!ChainOptimizer::serves_chains(vehicle)) chosen.first_barrier = one_speed_barrier;
+    return chosen;
+  }
 };
 
 using Move = std::variant<DropTurns, RejoinEnds, MergeTurns, WidenTurns, InsertWords, SlideCircles, OptimizeTurns>;
@@ -108,9 +114,9 @@ inline constexpr MoveRow kMoves[] = {
     {"rejoin ends", Stage::kSimplify, RejoinEnds{}},
     {"merge turns", Stage::kSimplify, MergeTurns{kMergedRadii}},
     {"slide circles roughly", Stage::kSlide, SlideCircles{kMiddleSteps, 0.125}},
-    // Vehicles of one turn speed: 204 plans of the paper's robot among 100 obstacles take 0.56 of the time that they
-    // take without, and are faster by 0.03 % in the mean; with a barrier of 1e-3, 0.67 of it. Of 242 driven worlds, 84
-    // are faster by more than 0.1 %, and 17 slower by more than 0.05 %, by up to 2 %.
+    // Vehicles of one turn speed: 204 plans of the paper's robot among 100 obstacles take 0.61 of the time that they
+    // take without, and are faster by 0.03 % in the mean. A barrier of 1e-3 takes a fifth more. Of 242 driven worlds,
+    // 84 are faster by more than 0.1 %, and 17 slower by more than 0.05 %, by up to 2 %.
     {"optimize turns", Stage::kOptimize,
      OptimizeTurns{{.parts = 3, .least_turn = 0.05, .iterations = 40, .first_barrier = 1e-3}, 1e-4}},
     {"optimize turns at length", Stage::kOptimizeAtLength,

@@ -273,9 +273,8 @@ class Refiner {
   // Returns whether there is an optimized chain.
   bool propose(const OptimizeTurns& move) {
     const std::uint64_t bounded = std::max(kMostCircleSteps / circles().size(), kLeastSteps);
-    ChainEffort effort = move.effort.within(std::min(bounded, most_trials_ - result_.trials));
+    const ChainEffort effort = move.effort_for(vehicle_).within(std::min(bounded, most_trials_ - result_.trials));
     const bool are_chains_served = ChainOptimizer::serves_chains(vehicle_);
-    if (!are_chains_served) effort.first_barrier = move.one_speed_barrier;
     const ChainQuery query{vehicle_, *query_.world, *query_.outlines,     effort,
                            clock_,   query_.ends,   query_.clearance_cost};
     const auto [is_optimized, iterations] = are_chains_served

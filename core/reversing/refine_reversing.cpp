@@ -449,7 +449,7 @@ class ReversingRefiner {
   // Optimizes all turns at once, and the places of changes of gear with them.
   bool take(const OptimizeTurns& move) {
     if (outlines_ == nullptr || !ChainOptimizer::serves(vehicle_) || done()) return false;
-    const ChainEffort effort = move.effort.within(most_trials_ - result_.trials);
+    const ChainEffort effort = move.effort_for(vehicle_).within(most_trials_ - result_.trials);
     const auto [is_optimized, iterations] = optimizer_.optimize(
         result_.path, {vehicle_, *world_, *outlines_, effort, clock_, ends_, clearance_}, optimized_);
     result_.trials += static_cast<std::uint64_t>(iterations);
