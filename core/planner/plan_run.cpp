@@ -67,8 +67,6 @@ bool PlanRun::holds(Known known) const {
       return has_path();
     case Known::kForwardPath:
       return has_forward_path();
-    case Known::kByTrees:
-      return has_forward_path() && (is_first_of_trees_ || is_narrow_);
     case Known::kByManeuvers:
       return has_forward_path() && fastest_.poses > 0;
     case Known::kPathElsewhere:
@@ -90,6 +88,7 @@ bool PlanRun::holds(const When& when) {
   const PlanRequest& request = query_.request;
   if (when.whole && scope_ != Scope::kWhole) return false;
   if (!when.quick_parts && scope_ == Scope::kQuickPart) return false;
+  if (!when.slim_body && scope_ == Scope::kSlimBody) return false;
   if (when.driving == Driving::kForwards && request.reverse) return false;
   const bool is_there = found_ && best().empty();
   if (when.driving == Driving::kBothGears && (!request.reverse || is_there)) return false;
@@ -267,11 +266,15 @@ void PlanRun::note_first(const Path& path, double time) {
 }
 
 PlanRun::Times PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
-  const bool is_first = !is_forward_found_;
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
     path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock, costs());
   }
+  return keep_beside_roadmap(maps, std::move(path), trials);
+}
+
+PlanRun::Times PlanRun::keep_beside_roadmap(const PlanMaps& maps, Path&& path, double trials) {
+  const bool is_first = !is_forward_found_;
   const Times times = keep(std::move(path), {}, trials, RefineMode::kForwards);
   if (times.cost < kInfinity && (is_first || times.cost < fastest_.times.cost)) {
     maps_ = &maps;

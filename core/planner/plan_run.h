@@ -45,15 +45,15 @@ struct PlanWorkspace {
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
   PointDistance::Workspace point;
   HeadingSet headings;
-  std::unique_ptr<PlanWorkspace> part;  // of a query for a part of the path, once there was one
+  std::unique_ptr<PlanWorkspace> part;  // of a query for a part of the path or a slim body, once there was one
 };
 
 /// One query, from its first path to its best one: takes the rows of a strategy one by one, refines the paths that they
 /// find, and keeps the cheapest. What that took is added to the result's statistics.
 class PlanRun {
  public:
-  /// What a query is for: see When::whole, When::quick_parts.
-  enum class Scope { kWhole, kPart, kQuickPart };
+  /// What a query is for: see When::whole, When::quick_parts, When::slim_body.
+  enum class Scope { kWhole, kPart, kQuickPart, kSlimBody };
   /// All arguments must outlive this.
   PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult& result, Scope scope = Scope::kWhole);
 
@@ -142,6 +142,7 @@ class PlanRun {
   void take(const GrowSlimGearTrees& step, double trials);
   void take(const TryOtherWays& step, double trials);
   void take(const TryOtherWaysInBothGears& step, double trials);
+  void take(const PlanSlimBody& step, double trials);
   void take(const RefineBothGears& step, double trials);
   void take(const PlanParts& step, double trials);
   void take(const PlanPartsQuickly& step, double trials);
@@ -166,7 +167,9 @@ class PlanRun {
   void keep_forwards(On on, FoundPath&& found, double trials);
   // Notes a path as the first one, unless one is noted.
   void note_first(const Path& path, double time);
-  // Shortens a path of many motions, and keeps it.
+  // Keeps a path that is driven forwards, of no circles of the roadmaps in use from now on.
+  Times keep_beside_roadmap(const PlanMaps& maps, Path&& path, double trials);
+  // As keep_beside_roadmap, of many motions: shortens it first.
   Times keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
   // Keeps the first path, if no other one was kept, and the cheapest one in both gears.
   void keep_all();
@@ -273,7 +276,6 @@ class PlanRun {
   bool are_slim_gears_grown_ = false;  // trees in both gears of slim bodies
   bool is_narrow_ = false;  // a path was found by trees of a slim body, or by those in both gears for narrow places
   bool is_easy_ = false;    // the first path that was refined joins the roadmap by single arcs of few radii
-  bool is_first_of_trees_ = false;  // the first path was found by trees of the body itself
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };
 

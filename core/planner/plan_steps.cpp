@@ -1,7 +1,6 @@
 // The steps of PlanRun: what each row of the strategy does.
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -32,13 +31,9 @@ std::optional<Footprint> rectangle_in_body(const Roadmap& map) {
 
 }  // namespace
 
-const PlanMaps& PlanRun::maps_on(On on) const {
-  if (on == On::kInUse) return *maps_;
-  return on == On::kTightest ? *query_.maps.tightest : query_.maps.all;
-}
+const PlanMaps& PlanRun::maps_on(On on) const { return on == On::kTightest ? *query_.maps.tightest : query_.maps.all; }
 
 ForwardSearch& PlanRun::forward_search(On on) {
-  assert(on != On::kInUse);
   std::optional<ForwardSearch>& search = on == On::kTightest ? forward_tightest_ : forward_all_radii_;
   if (!search) {
     const PlanMaps& maps = maps_on(on);
@@ -110,27 +105,21 @@ std::optional<double> PlanRun::grow(const GrowTrees& step, double trials) {
   if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return std::nullopt;
   const PlanMaps& maps = maps_on(step.on);
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
-  SearchOptions options = search_options_;
-  if (step.only_faster) options.faster_than = best_cost_;
-  const auto if_faster = [this](const Path& path) {
-    return cost_of(path) < best_cost_ ? std::optional(path) : std::nullopt;
-  };
-  TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
-                    .passes = step.passes,
-                    .effort = kTreeEffort,
-                    .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
-                    .dead_end_passes = kDeadEndPasses,
-                    .avoided = avoided_};
-  if (step.only_faster) limits.accept = if_faster;
+  const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
+                          .passes = step.passes,
+                          .effort = kTreeEffort,
+                          .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
+                          .dead_end_passes = kDeadEndPasses,
+                          .avoided = avoided_};
   TreesEnd end;
   FoundPath grown = search([&] {
-    return search_trees({map, query_.request.start, query_.request.goal, limits}, options, workspace_.find.search, end);
+    return search_trees({map, query_.request.start, query_.request.goal, limits}, search_options_,
+                        workspace_.find.search, end);
   });
   result_.statistics.tree_poses += end.poses;
   if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
   if (!grown.search.path) return std::nullopt;
-  is_first_of_trees_ = is_first_of_trees_ || !has_path();
   return keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials).cost;
 }
 

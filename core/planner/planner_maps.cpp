@@ -37,6 +37,7 @@ PlannerMaps::PlannerMaps(Roadmap map, const std::shared_ptr<const SweepQuery>& o
       clearance_cost(ClearanceCost::of(map.vehicle, map.outlines, options.clearance_preference, map.world.zones())),
       all(preferring(std::move(map), clearance_cost, executor.clock()), options.gap_circles),
       slim(all.plain, rows),
+      slim_plans(all.plain, obstacles, options, rows),
       bottleneck(all.plain.world, all.plain.vehicle, all.plain.gaps) {
   end_if_over(executor);
   const Roadmap& plain = all.plain;

@@ -13,6 +13,7 @@
 #include "core/gaps/bottleneck_finder.h"
 #include "core/planner/plan_maps.h"
 #include "core/planner/slim_maps.h"
+#include "core/planner/slim_planner_maps.h"
 #include "core/search/point_distance.h"
 #include "core/search/zone_routes.h"
 
@@ -52,6 +53,7 @@ struct PlannerMaps {
   PlanMaps all;
   std::optional<Roadmap> backwards;  ///< see `in`
   SlimMaps slim;
+  SlimPlannerMaps slim_plans;
   std::optional<PlanMaps> tightest;  ///< of the tightest radii only, where there are wider ones
   OtherMaps other;                   ///< of several radii, where there are wider ones
   std::optional<PointDistance> point_distance;

@@ -9,8 +9,6 @@
 
 namespace arcway::internal {
 
-namespace {
-
 Vehicle slimmer(const Vehicle& vehicle, double share) {
   VehicleParameters parameters = vehicle.parameters();
   const Vec2 scale(1.0 - 0.5 * share, 1.0 - share);
@@ -28,8 +26,6 @@ Vehicle slimmer(const Vehicle& vehicle, double share) {
     for (Vec2& p : ring) p += (scale - Vec2::Ones()).cwiseProduct(p - 0.5 * (box.min + box.max));
   return Vehicle(std::move(parameters));
 }
-
-}  // namespace
 
 const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const {
   return maps_[i].get(clock, [&] {

@@ -6,12 +6,16 @@
 #include <utility>
 
 #include "arcway/stop_clock.h"
+#include "arcway/vehicle.h"
 #include "arcway/visibility_rows.h"
 #include "core/attach/roadmap.h"
 #include "core/base/late_value.h"
 #include "core/planner/strategy.h"
 
 namespace arcway::internal {
+
+/// The vehicle with a body that is narrower by a share of its width, and shorter by half that share of its length.
+Vehicle slimmer(const Vehicle& vehicle, double share);
 
 /// Roadmaps of a world for slimmer bodies. Where a body has next to no room, the path of a slimmer one is far easier to
 /// find, and shows where that of the real one is. Made when first asked for. Thread-safe.

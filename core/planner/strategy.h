@@ -53,14 +53,16 @@ inline constexpr SurroundingsEffort kSurroundingsEffort{
 // body do not solve: 35 are solved with these shares, 32 with 0.06 and 0.02, 30 with 0.15 and 0.05. Where an end of the
 // real body is closed in, the second one alone is tried: the first one slips through many gaps that are too narrow.
 inline constexpr std::array kSlimBodies{0.1, 0.03};
+// Share of the width by which the body of PlanSlimBody is narrower; it is shorter by half the share. Of 14 driven
+// worlds where plans were slower than the drive, 6 no longer are. With 0.1, 0.15, 0.25 and 0.3 these are 3, 3, 3 and 0,
+// with 0.1, 0.2 and 0.4 one after the other 6.
+inline constexpr double kSlimPlan = 0.2;
 // The pass of trees of the first of them. It solves 32 of these 46 worlds, a quarter of its poses 25.
 inline constexpr std::array<TreePass, 1> kSlimPasses{{{1.0 / 64.0, 4, 0.8, false}}};
 // A fiftieth of that, where a path is known. Of 40 queries beside walls in both gears, a sixteenth makes 6 faster, by
 // up to 6 %, for a fifth more time.
 inline constexpr std::array<TreePass, 1> kMoreSlimPasses{{{1.0 / 64.0, 4, 0.016, false}}};
 
-// Trees of a larger weight of the estimate go other ways.
-inline constexpr std::array<TreePass, 1> kGreedySlimPasses{{{1.0 / 64.0, 4, 0.2, false, 6.0}}};
 // The pass of trees that keep off the paths so far. Of 72 driven worlds, more become faster with a share of 0.1 than
 // with 0.05.
 inline constexpr std::array<TreePass, 1> kOtherWaysPasses{{{1.0 / 64.0, 4, 0.1, false}}};
@@ -79,10 +81,12 @@ inline constexpr GrowSlimTrees kShortSlimTrees{.passes = kMoreSlimPasses};
 // A path that may be faster is mostly found by few poses, or by none.
 inline constexpr std::array<TreePass, 1> kFewSlimPasses{{{1.0 / 64.0, 4, 0.005, false}}};
 inline constexpr GrowSlimTrees kFewSlimTrees{.passes = kFewSlimPasses, .shortenings = 3, .slower = 0.5};
-inline constexpr GrowSlimTrees kGreedySlimTrees{.passes = kGreedySlimPasses, .slower = 0.5};
 inline constexpr GrowSlimTrees kLessSlimTrees{
     .body = 1, .passes = std::span(kTreePasses).first<1>(), .when = WhenSlim::kClosedOrRefused};
 inline constexpr When kNarrowForwards{.known = Known::kNoPath, .driving = Driving::kForwards, .grows_trees = true};
+// As kNarrowForwards, for slim bodies too.
+inline constexpr When kTreesForwards{
+    .known = Known::kNoPath, .driving = Driving::kForwards, .slim_body = true, .grows_trees = true};
 inline constexpr When kWholeNarrowForwards{
     .known = Known::kNoPath, .driving = Driving::kForwards, .whole = true, .grows_trees = true};
 inline constexpr When kInsteadOfGearChanges{
@@ -100,6 +104,10 @@ constexpr When gears_far_from_bound(double gap) {
   when.gap = gap;
   return when;
 }
+inline constexpr When kFarForwards{
+    .known = Known::kForwardPath, .driving = Driving::kForwards, .whole = true, .refines = true, .best_gap = 0.35};
+inline constexpr When kFarInBothGears{
+    .known = Known::kPath, .driving = Driving::kBothGears, .whole = true, .refines = true, .best_gap = 0.6};
 inline constexpr When kNarrowAfterGears{
     .known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true, .grows_trees = true};
 
@@ -180,10 +188,13 @@ inline constexpr double kHasteWithoutZones = 0.01;
 
 inline constexpr StrategyRow kStrategy[] = {
     // A first path, driven forwards.
-    {"first path", {.radii = Radii::kSeveral}, FindSoon{kEndRadii, kHaste}},
-    {"single arcs", {.quick_parts = true}, JoinBySingleArcs{On::kAllRadii, kEndRadii}, kUntilCompared},
+    {"first path", {.radii = Radii::kSeveral, .slim_body = true}, FindSoon{kEndRadii, kHaste}},
+    {"single arcs",
+     {.quick_parts = true, .slim_body = true},
+     JoinBySingleArcs{On::kAllRadii, kEndRadii},
+     kUntilCompared},
     {"single arcs of all radii",
-     {.known = Known::kNoPath, .radii = Radii::kSeveral},
+     {.known = Known::kNoPath, .radii = Radii::kSeveral, .slim_body = true},
      JoinBySingleArcs{On::kAllRadii, kEveryRadius},
      kUntilCompared},
     {"proof of a bottleneck", {.known = Known::kNoPath, .whole = true}, ProveBottleneck{}},
@@ -191,7 +202,10 @@ inline constexpr StrategyRow kStrategy[] = {
     {"proof of a dead end",
      {.known = Known::kNoPath, .driving = Driving::kForwards, .whole = true},
      ProveDeadEnd{{.halvings = 1, .max_checks = 8500}}},
-    {"circles in gaps", {.known = Known::kNoPath}, JoinByNarrowPlaces{On::kAllRadii}, kUntilCompared},
+    {"circles in gaps",
+     {.known = Known::kNoPath, .slim_body = true},
+     JoinByNarrowPlaces{On::kAllRadii},
+     kUntilCompared},
     // The graph has no circles around zones.
     {"routes through one-way zones",
      {.known = Known::kNoPath, .has_one_way = true},
@@ -200,40 +214,42 @@ inline constexpr StrategyRow kStrategy[] = {
     // Most ways out of narrow places are found sooner in both gears than by maneuvers. Where a path in both gears is
     // much cheaper, nothing looks for faster ones that are driven forwards.
     {"lower bound around obstacles", {.known = Known::kPath, .driving = Driving::kBothGears}, RaiseLowerBound{}},
-    {"roadmap backwards", {.driving = Driving::kBothGears, .quick_parts = true}, JoinBackwards{}},
+    {"roadmap backwards", {.driving = Driving::kBothGears, .quick_parts = true, .slim_body = true}, JoinBackwards{}},
     // The way out of a narrow place. Of 143 driven worlds it makes 3 faster whose gap is below 0.3, by up to 3.6 %.
     // More poses make no plan faster. Where no path is known, trees find one sooner in two of three driven worlds.
     {"changes of gear near the ends",
-     {.known = Known::kPath, .driving = Driving::kBothGears, .gap = 0.3},
+     {.known = Known::kPath, .driving = Driving::kBothGears, .slim_body = true, .gap = 0.3},
      JoinBetweenGears{{.cells = 8.0, .most = 12, .most_expansions = 100}}},
     // Some milliseconds, less than looking further for a way out.
     {"proof of an enclosure",
      {.known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true},
      ProveEnclosure{3'000}},
     {"trees in both gears, beside a path",
-     {.known = Known::kPath, .driving = Driving::kBothGears, .gap = 0.2},
+     {.known = Known::kPath, .driving = Driving::kBothGears, .slim_body = true, .gap = 0.2},
      GrowGearTrees{700}},
-    {"trees in both gears", {.known = Known::kNoPath, .driving = Driving::kBothGears}, GrowGearTrees{1500}},
+    {"trees in both gears",
+     {.known = Known::kNoPath, .driving = Driving::kBothGears, .slim_body = true},
+     GrowGearTrees{1500}},
     {"changes of gear near the ends",
-     {.known = Known::kNoPath, .driving = Driving::kBothGears},
+     {.known = Known::kNoPath, .driving = Driving::kBothGears, .slim_body = true},
      JoinBetweenGears{{.cells = 8.0, .most = 12, .most_expansions = 100}}},
     // Where the way is narrow, trees of slim bodies find a path sooner than those of the body, with fewer changes of
     // gear. Of 15 driven worlds that need either, they find one in 13.
     {"narrow trees of slim bodies in both gears",
-     {.known = Known::kNoPath, .driving = Driving::kBothGears, .grows_trees = true},
+     {.known = Known::kNoPath, .driving = Driving::kBothGears, .slim_body = true, .grows_trees = true},
      GrowSlimGearTrees{.poses = 4000, .slower = 0.5}},
     // It takes as long as the trees of slim bodies, which find a path in 3 of 4 driven worlds that get here.
     {"proof of an enclosure",
      {.known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true},
      ProveEnclosure{15'000}},
     {"maneuvers to circles in gaps",
-     {.known = Known::kNoPath},
+     {.known = Known::kNoPath, .slim_body = true},
      JoinByManeuversAndNarrowPlaces{On::kAllRadii, 100},
      kUntilCompared},
     // It takes 2 to 30 ms, the trees that it saves 150 to 1,000. It proves 8 of the 21 queries without a path of the
     // kept worlds that reach it; with 30,000 checks it proves 6, with a third halving 9 in 170 ms.
     {"thorough proof of a dead end", kWholeNarrowForwards, ProveDeadEnd{{.halvings = 2, .max_checks = 75'000}}},
-    {"trees", kNarrowForwards, kCoarseTrees, kUntilCompared},
+    {"trees", kTreesForwards, kCoarseTrees, kUntilCompared},
     {"trees of a slim body", kNarrowForwards, kSlimTrees, kUntilCompared},
     {"trees of a less slim body", kWholeNarrowForwards, kLessSlimTrees, kUntilCompared},
     {"finer trees", kWholeNarrowForwards, kFinerTrees, kUntilCompared},
@@ -289,19 +305,14 @@ inline constexpr StrategyRow kStrategy[] = {
     // obstacles, 3 are slower by more than 0.05 % than those of an old state by trials, before 8 with a gap of 0.2, for
     // 4 % more time.
     {"circles in gaps, for speed",
-     {.known = Known::kForwardPath, .care = Care::kThorough, .gap = 0.08},
+     {.known = Known::kForwardPath, .care = Care::kThorough, .slim_body = true, .gap = 0.08},
      TryNarrowPlaces{.least_gain = 0.001}},
     {"circles in gaps, for speed",
-     {.known = Known::kForwardPath, .care = Care::kQuick, .gap = 0.2, .best_gap = 0.2},
+     {.known = Known::kForwardPath, .care = Care::kQuick, .slim_body = true, .gap = 0.2, .best_gap = 0.2},
      TryNarrowPlaces{.least_gain = 0.001}},
     // Slower paths at first, they may be faster once refined.
     {"another last circle", kOtherEnds, TryOtherLastCircle{.slower = 0.03}},
     {"another first circle", kOtherEnds, TryOtherFirstCircle{.slower = 0.03}},
-    // The graph's path may lead a long way round where a short one is hard to join. Of 180 driven worlds, it makes 1
-    // faster, by 72 %; from a gap of 1 on it finds no more there, and takes 8 % of all the time.
-    {"trees of a faster path",
-     {.known = Known::kForwardPath, .driving = Driving::kForwards, .grows_trees = true, .best_gap = 2.0},
-     GrowTrees{.on = On::kInUse, .share = 0.25, .passes = std::span(kTreePasses).first<1>(), .only_faster = true}},
     {"faster turns", kOtherTurns, TryOtherTurns{kFasterTurns}},
     {"slower turns", kOtherTurns, TryOtherTurns{kSlowerTurns}},
     // Searches on roadmaps of other radii use no maneuvers. Of 1,281 plans of three robots, it makes 2 faster, by 9
@@ -335,14 +346,6 @@ inline constexpr StrategyRow kStrategy[] = {
      {.known = Known::kForwardPath, .radii = Radii::kSeveral, .quick_parts = true},
      kRefineAtLength,
      {.several = 24.0}},
-    // What is hard to find is seldom the fastest way. Beside the rows for other ways, it makes 1 of 250 driven worlds
-    // faster, by 33 %.
-    {"greedier trees of a slim body, for a faster path", far_from_bound(Known::kByTrees, Driving::kAny, 0.85),
-     kGreedySlimTrees, kUntilCompared},
-    {"refinement at length",
-     {.known = Known::kForwardPath, .radii = Radii::kSeveral},
-     kRefineAtLength,
-     {.several = 24.0}},
 
     // Cheaper paths, or a first one, in both gears, where the rows above are not enough.
     {"narrow trees in both gears",
@@ -371,7 +374,7 @@ inline constexpr StrategyRow kStrategy[] = {
     // and the catalog's car park from 0.36 on. Few of them find about as much where trees have looked before. With half
     // as many, 6 of 794 are slower, by up to 7 %, and 5 faster, by up to 1 %.
     {"changes of gear further away",
-     {.driving = Driving::kBothGears, .gap = 0.34},
+     {.driving = Driving::kBothGears, .slim_body = true, .gap = 0.34},
      JoinBetweenGears{.attachments = {.cells = 2.0, .most = 99, .most_expansions = 1000},
                       .few = GearAttachments{.cells = 2.0, .most = 24, .most_expansions = 240}}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
@@ -396,6 +399,8 @@ inline constexpr StrategyRow kStrategy[] = {
     {"trees", kNarrowAfterGears, kFewCoarseTrees, kUntilCompared},
     {"trees of a slim body", kNarrowAfterGears, kShortSlimTrees, kUntilCompared},
 
+    {"plan of a slim body", kFarForwards, PlanSlimBody{.slower = 0.2, .most_tree_poses = 8000}, kUntilCompared},
+    {"plan of a slim body", kFarInBothGears, PlanSlimBody{.slower = 0.2}, kUntilCompared},
     // In both gears, it makes 8 of 59 driven worlds with 5 cm of room faster, by up to 11 %, and 6 of 46 with 2 mm, by
     // up to 25 %, for 1.4 times the time in all. Of 800 driven worlds with 5 cm, those far from the bound make
     // 19 faster forwards, by up to 16 %, and 21 in both gears, by up to 4 %, none slower, for some 5 % more time. With
@@ -431,8 +436,10 @@ inline constexpr StrategyRow kStrategy[] = {
      kUntilCompared},
     // Refinement leaves a path on its way. Trees that keep off the paths so far show others. Of 10 driven worlds where
     // plans were slower than the drive, 8 no longer are, one by 37 %. Of 800 driven worlds, with `fewer arcs`, these
-    // rows make 43 faster by more than 1 %, and 22 slower by more than 0.05 %, by up to 2 %. Twice as many rounds find
-    // nothing more.
+    // rows make 43 faster by more than 1 %, and 22 slower by more than 0.05 %, by up to 2 %. Of 599, a third round
+    // makes
+    // none faster, for 2 % more time in all; trees of the less slim body make 7 faster, by up to 3 %, and 3 slower, for
+    // 9 % more.
     {"other ways by trees", far_from_bound(Known::kForwardPath, Driving::kForwards, 0.35), kOtherWays, kUntilCompared},
     {"other ways by trees", far_from_bound(Known::kForwardPath, Driving::kBothGears, 0.6), kOtherWays, kUntilCompared},
     // Paths around vertices take the long way where wide turns between obstacles are free. Few poses, some

@@ -25,7 +25,6 @@ enum class Known {
   kNoPath,         ///< no path at all
   kPath,           ///< some path
   kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
-  kByTrees,        ///< such a path, where trees found the first one
   kByManeuvers,    ///< such a path, found on the roadmap in use by maneuvers at both ends
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
   kNarrowPath,     ///< only a path of trees for narrow places, which know little of cost
@@ -46,6 +45,7 @@ struct When {
   Care care = Care::kAny;
   bool whole = false;             ///< the query is not one for a part of a path: PlanParts, PlanPartsQuickly
   bool quick_parts = false;       ///< taken for parts of PlanPartsQuickly too; other rows are not
+  bool slim_body = false;         ///< taken for the body of PlanSlimBody too; other rows are not
   bool refines = false;           ///< paths are refined
   bool has_speed_limits = false;  ///< zones of the map limit the speed
   bool has_one_way = false;       ///< zones of the map limit directions
@@ -63,8 +63,7 @@ struct When {
 /// The roadmaps on which a path is looked for.
 enum class On {
   kAllRadii,  ///< those of PlannerOptions::radii
-  kTightest,  ///< those of tightest_radii
-  kInUse      ///< those on which the last path was found by a forward search or by trees
+  kTightest   ///< those of tightest_radii
 };
 
 // What a row does: each with the numbers that it takes.
@@ -112,7 +111,6 @@ struct GrowTrees {
   bool explores_surroundings = false;  ///< of the ends, where a tree runs dry: kSurroundingsEffort
   bool only_in_the_open = false;       ///< not if the trees before found an end in a dead end
   std::uint32_t shortenings = 10;      ///< trials of shortening the path, as a multiple of those of refinement
-  bool only_faster = false;  ///< paths that are not faster than the best one, even before refinement, are refused
 };
 /// When trees of a slimmer body are worth it, as trees before found.
 enum class WhenSlim {
@@ -218,7 +216,7 @@ struct GrowSlimGearTrees {
   double rest_weight = kRestWeight;  ///< see GearSearchOptions
 };
 /// Looks for paths of other ways, driven forwards: trees keep off those so far, see RouteQuery. In each round, trees of
-/// both slim bodies and of the body grow as those of GrowSlimTrees and GrowTrees do, except for kinds that found no
+/// the slimmest body and of the body grow as those of GrowSlimTrees and GrowTrees do, except for kinds that found no
 /// path of a new cost in the round before. None on maps of more than PlanMaps::kNarrowVertices vertices.
 struct TryOtherWays {
   std::span<const TreePass> passes;
@@ -232,6 +230,14 @@ struct TryOtherWaysInBothGears {
   std::size_t poses;   ///< of both ends together, in each round
   std::size_t rounds;  ///< as for TryOtherWays
   double slower;       ///< than the best path, at most this share, before refinement
+};
+/// Plans for a body that is narrower by kSlimPlan, by the rows of When::slim_body alone, and pushes its path off what
+/// the real body touches: SlimPlannerMaps, push_free. The real body may fit through gaps where no circle of its roadmap
+/// does. None on maps of more than PlanMaps::kNarrowVertices vertices.
+struct PlanSlimBody {
+  double slower;  ///< before refinement, than the best path, at most this share
+  /// Not where trees of forward motions have grown more poses: such plans take seconds by then.
+  std::uint64_t most_tree_poses = std::numeric_limits<std::uint64_t>::max();
 };
 /// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
 struct RefineBothGears {};
@@ -269,7 +275,7 @@ using Step =
                  FollowZoneRoutes, FollowOneWayRoutes, TryManeuvers, TryNarrowPlaces, TryOtherLastCircle,
                  TryOtherFirstCircle, TryOtherTurns, TryOtherRadii, TryOtherSides, RefineBest, JoinArcs, JoinBackwards,
                  JoinBetweenGears, GrowGearTrees, GrowNarrowGearTrees, GrowSlimGearTrees, TryOtherWays,
-                 TryOtherWaysInBothGears, RefineBothGears, PlanParts, PlanPartsQuickly>;
+                 TryOtherWaysInBothGears, PlanSlimBody, RefineBothGears, PlanParts, PlanPartsQuickly>;
 
 /// Trials of refinement for a path that a row finds, as a multiple of RefineOptions::max_trials.
 struct Trials {

@@ -24,8 +24,6 @@ const char* text_of(Known known) {
       return "a path";
     case Known::kForwardPath:
       return "a forward path";
-    case Known::kByTrees:
-      return "a forward path, the first one by trees";
     case Known::kByManeuvers:
       return "a forward path by maneuvers";
     case Known::kPathElsewhere:
@@ -44,8 +42,6 @@ const char* text_of(On on) {
       return "all radii";
     case On::kTightest:
       return "the tightest radii";
-    case On::kInUse:
-      return "the path's radii";
   }
   return "";
 }
@@ -54,7 +50,6 @@ const char* text_of(On on) {
 std::string weight_text(double weight, double usual) {
   return weight == usual ? "" : ", weight of the rest " + shortest_text(weight);
 }
-std::string weight_text(const TreePass& pass) { return weight_text(pass.greed, TreePass{}.greed); }
 
 struct StepText {
   std::string operator()(const JoinBySingleArcs& step) const {
@@ -88,12 +83,11 @@ struct StepText {
   std::string operator()(const GrowTrees& step) const {
     return "grow trees of forward motions, " + percent(step.share) + " of the poses, " +
            std::to_string(step.passes.size()) + (step.passes.size() == 1 ? " pass" : " passes") + " from cells of 1/" +
-           shortest_text(1.0 / step.passes.front().finest) + " body length on" + weight_text(step.passes.front()) +
-           (step.explores_surroundings ? ", unless an end is closed in" : "") +
-           (step.only_faster ? ", for a path that is faster before refinement" : "");
+           shortest_text(1.0 / step.passes.front().finest) + " body length on" +
+           (step.explores_surroundings ? ", unless an end is closed in" : "");
   }
   std::string operator()(const GrowSlimTrees& step) const {
-    return "grow trees of a body " + percent(kSlimBodies[step.body]) + " narrower" + weight_text(step.passes.front()) +
+    return "grow trees of a body " + percent(kSlimBodies[step.body]) + " narrower" +
            (step.when == WhenSlim::kClosedOrRefused ? ", if an end is closed in or paths were not pushed free"
                                                     : ", unless an end is closed in") +
            ", and push their paths off what the body touches";
@@ -157,7 +151,7 @@ struct StepText {
            std::to_string(step.most_failed) + " in a row bring nothing";
   }
   std::string operator()(const TryOtherWays& step) const {
-    return "grow trees of slim bodies and of the body that keep off the paths so far, in " +
+    return "grow trees of a slim body and of the body that keep off the paths so far, in " +
            std::to_string(step.rounds) + " rounds; where there are several radii, with a gap > " +
            percent(step.several_gap);
   }
@@ -172,6 +166,9 @@ struct StepText {
     return "grow trees in both gears for narrow places, of slim bodies, and push their paths free: " +
            std::to_string(step.poses) + " poses" + weight_text(step.rest_weight, kRestWeight) +
            (step.again ? ", again, for a path cheaper than the refined one" : "");
+  }
+  std::string operator()(const PlanSlimBody&) const {
+    return "plan for a body " + percent(kSlimPlan) + " narrower, and push its path off what the body touches";
   }
   std::string operator()(const RefineBothGears&) const { return "refine the cheapest path of the rows in both gears"; }
 };

