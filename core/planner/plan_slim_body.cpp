@@ -10,8 +10,7 @@
 namespace arcway::internal {
 
 void PlanRun::take(const PlanSlimBody& step, double trials) {
-  // That body has maps of its own.
-  if (!is_worth_memory() || result_.statistics.tree_poses > step.most_tree_poses) return;
+  if (map_.world.vertices().size() > step.most_vertices || result_.statistics.tree_poses > step.most_tree_poses) return;
   keep_all();
   const PlannerMaps* maps = query_.maps.slim_plans(query_.clock);
   if (!maps) return;

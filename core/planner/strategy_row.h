@@ -233,9 +233,10 @@ struct TryOtherWaysInBothGears {
 };
 /// Plans for a body that is narrower by kSlimPlan, by the rows of When::slim_body alone, and pushes its path off what
 /// the real body touches: SlimPlannerMaps, push_free. The real body may fit through gaps where no circle of its roadmap
-/// does. None on maps of more than PlanMaps::kNarrowVertices vertices.
+/// does.
 struct PlanSlimBody {
-  double slower;  ///< before refinement, than the best path, at most this share
+  double slower;              ///< before refinement, than the best path, at most this share
+  std::size_t most_vertices;  ///< none on larger maps: the body has maps of its own, of up to 10 kB a vertex
   /// Not where trees of forward motions have grown more poses: such plans take seconds by then.
   std::uint64_t most_tree_poses = std::numeric_limits<std::uint64_t>::max();
 };
