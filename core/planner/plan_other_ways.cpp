@@ -23,7 +23,7 @@ void PlanRun::take(const TryOtherWays& step, double trials) {
     bool finds_new = true;
   };
   const GrowSlimTrees slim{.passes = step.passes, .shortenings = step.shortenings, .slower = step.slower};
-  const GrowTrees body{.on = On::kAllRadii, .share = 1.0, .passes = step.passes, .shortenings = step.shortenings};
+  const GrowTrees body{.share = 1.0, .passes = step.passes, .shortenings = step.shortenings};
   std::array kinds{Kind{slim}, Kind{body}};
   std::vector<double> known{best_cost_};  // costs
   // Whether trees find a path whose cost is new. Where they do not, they would find the same paths again.

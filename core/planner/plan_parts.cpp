@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -99,14 +98,11 @@ bool PlanRun::plan_in_vain(const PathPart& part, const PartEffort& effort, doubl
   const double so_far = std::reduce(of_part.begin(), of_part.end());
   if (so_far <= (1.0 + effort.gap) * planned.lower_bound) return false;
 
-  if (!workspace_.part) workspace_.part = std::make_unique<PlanWorkspace>();
-  PlanRun run(query, *workspace_.part, planned, effort.scope);
+  PlanRun run(query, workspace_within(), planned, effort.scope);
   const double cost = so_far + internal::clearance_cost(map_.clearance_cost.get(), whole.subspan(from, to - from));
   run.search_options_.faster_than = (1.0 + effort.slower) * cost;
   run.worth_length_ = (1.0 + effort.worth_length) * cost;
-  run.follow(rows_);
-  result_.statistics += planned.statistics;
-  result_.interrupted = result_.interrupted || planned.interrupted;
+  follow_within(run);
   if (!run.found()) return true;
   Path joined = workspace_.find.search.empty_path();
   joined.insert(joined.end(), whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(from));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "core/base/infinity.h"
@@ -193,6 +194,17 @@ void PlanRun::count(const RefinedPath& refined, double seconds) {
   s.refine_seconds += seconds;
 }
 
+PlanWorkspace& PlanRun::workspace_within() {
+  if (!workspace_.within) workspace_.within = std::make_unique<PlanWorkspace>();
+  return *workspace_.within;
+}
+
+void PlanRun::follow_within(PlanRun& run) {
+  run.follow(rows_);
+  result_.statistics += run.result_.statistics;
+  result_.interrupted = result_.interrupted || run.result_.interrupted;
+}
+
 const RefinedWay* PlanRun::refined_before(std::uint64_t way, double unrefined) const {
   const auto& ways = workspace_.ways;
   const auto known = std::ranges::find_if(
@@ -265,20 +277,20 @@ void PlanRun::note_first(const Path& path, double time) {
   result_.first_path = path;
 }
 
-PlanRun::Times PlanRun::keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials) {
+PlanRun::Times PlanRun::keep_shortened(Path&& path, std::uint32_t shortenings, double trials) {
   if (refines()) {
     const std::size_t most = std::size_t{shortenings} * query_.options.refinement.max_trials;
     path = shorten_path(std::move(path), map_.vehicle, *map_.queries.sweep, most, search_options_.clock, costs());
   }
-  return keep_beside_roadmap(maps, std::move(path), trials);
+  return keep_beside_roadmap(std::move(path), trials);
 }
 
-PlanRun::Times PlanRun::keep_beside_roadmap(const PlanMaps& maps, Path&& path, double trials) {
+PlanRun::Times PlanRun::keep_beside_roadmap(Path&& path, double trials) {
   const bool is_first = !is_forward_found_;
   const Times times = keep(std::move(path), {}, trials, RefineMode::kForwards);
   if (times.cost < kInfinity && (is_first || times.cost < fastest_.times.cost)) {
-    maps_ = &maps;
-    fastest_ = {times, &maps.plain, 0, kNone, kNone};
+    maps_ = &query_.maps.all;
+    fastest_ = {times, &maps_->plain, 0, kNone, kNone};
   }
   return times;
 }

@@ -21,6 +21,7 @@
 #include "core/reversing/reversing_search.h"
 #include "core/search/forward_search.h"
 #include "core/search/point_distance.h"
+#include "core/search/push_free.h"
 #include "core/search/tree_search.h"
 
 namespace arcway::internal {
@@ -45,7 +46,7 @@ struct PlanWorkspace {
   std::vector<RefinedWay> ways;         // of paths whose turns were optimized
   PointDistance::Workspace point;
   HeadingSet headings;
-  std::unique_ptr<PlanWorkspace> part;  // of a query for a part of the path or a slim body, once there was one
+  std::unique_ptr<PlanWorkspace> within;  // of a query for a part of the path or a slim body, once there was one
 };
 
 /// One query, from its first path to its best one: takes the rows of a strategy one by one, refines the paths that they
@@ -167,10 +168,10 @@ class PlanRun {
   void keep_forwards(On on, FoundPath&& found, double trials);
   // Notes a path as the first one, unless one is noted.
   void note_first(const Path& path, double time);
-  // Keeps a path that is driven forwards, of no circles of the roadmaps in use from now on.
-  Times keep_beside_roadmap(const PlanMaps& maps, Path&& path, double trials);
+  // Keeps a path that is driven forwards, but not on circles of the roadmap. Those of all radii are in use then.
+  Times keep_beside_roadmap(Path&& path, double trials);
   // As keep_beside_roadmap, of many motions: shortens it first.
-  Times keep_shortened(const PlanMaps& maps, Path&& path, std::uint32_t shortenings, double trials);
+  Times keep_shortened(Path&& path, std::uint32_t shortenings, double trials);
   // Keeps the first path, if no other one was kept, and the cheapest one in both gears.
   void keep_all();
   // Keeps the cheapest path of the search in both gears, unless it was kept.
@@ -198,6 +199,10 @@ class PlanRun {
   // Plans a part of the best path again, and keeps the path with what is found.
   // @return whether that was tried and brought nothing.
   bool plan_in_vain(const PathPart& part, const PartEffort& effort, double trials);
+  // Memory of a query within this one, one at a time.
+  [[nodiscard]] PlanWorkspace& workspace_within();
+  // Takes the rows of this query for one within it, and counts what that took.
+  void follow_within(PlanRun& run);
   // The request for what lies between two joints of the best path, with the speeds of the profile there.
   [[nodiscard]] PlanRequest request_between(std::size_t from, std::size_t to) const;
   // Refines a path, unless that promises nothing, and keeps it if it is the cheapest one.
@@ -209,6 +214,8 @@ class PlanRun {
   void refine(const Path& path, double trials, RefineMode mode);
   // How a path of a vehicle is refined.
   [[nodiscard]] RefineQuery refine_query(const Path& path, const Vehicle& vehicle, double trials) const;
+  // What a path of a slimmer body is pushed off.
+  [[nodiscard]] PushSpace push_space() const { return {map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep}; }
   // Counts what a refinement did.
   void count(const RefinedPath& refined, double seconds);
   // A free path in both gears, from rest to rest, near one of a slim body; nothing if none is found.
@@ -261,7 +268,7 @@ class PlanRun {
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;
   std::optional<Path> soon_;         // of FindSoon, until another one is kept
   std::uint64_t soon_expanded_ = 0;  // number of expansions of FindSoon
-  const PlanMaps* maps_ = nullptr;   // roadmaps in use, see On
+  const PlanMaps* maps_ = nullptr;   // roadmaps in use: those of the last path that was found forwards
   Fastest fastest_{};                // the fastest path on the roadmaps in use
   std::optional<WithoutZones> without_zones_;
   Surroundings surroundings_ = Surroundings::kOpen;  // of the ends, as trees found them

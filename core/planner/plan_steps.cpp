@@ -14,7 +14,6 @@
 #include "core/planner/strategy.h"
 #include "core/refine/shorten_path.h"
 #include "core/search/one_way_routes.h"
-#include "core/search/push_free.h"
 
 namespace arcway::internal {
 
@@ -103,7 +102,7 @@ void PlanRun::take(const GrowTrees& step, double trials) { grow(step, trials); }
 
 std::optional<double> PlanRun::grow(const GrowTrees& step, double trials) {
   if (are_trees_vain_ || (step.only_in_the_open && surroundings_ != Surroundings::kOpen)) return std::nullopt;
-  const PlanMaps& maps = maps_on(step.on);
+  const PlanMaps& maps = query_.maps.all;
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
   const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
                           .passes = step.passes,
@@ -120,7 +119,7 @@ std::optional<double> PlanRun::grow(const GrowTrees& step, double trials) {
   if (step.explores_surroundings) surroundings_ = end.surroundings;
   why_.trees = end;
   if (!grown.search.path) return std::nullopt;
-  return keep_shortened(maps, std::move(*grown.search.path), step.shortenings, trials).cost;
+  return keep_shortened(std::move(*grown.search.path), step.shortenings, trials).cost;
 }
 
 bool PlanRun::holds(WhenSlim when) const {
@@ -140,7 +139,7 @@ std::optional<double> PlanRun::grow(const GrowSlimTrees& step, double trials) {
   const Roadmap* slim = slim_map(step.body);
   if (!slim) return std::nullopt;
   const Pose& goal = query_.request.goal;
-  const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
+  const PushSpace space = push_space();
   const auto widened = [&](const Path& path) -> std::optional<Path> {
     if (path.empty()) return std::nullopt;
     const Path shorter = shorten_path(path, slim->vehicle, *map_.queries.sweep, step.shortening, clock, costs());
@@ -167,7 +166,7 @@ std::optional<double> PlanRun::grow(const GrowSlimTrees& step, double trials) {
   is_narrow_ = is_narrow_ || (!has_path() && grown.search.path);
   if (!grown.search.path) return std::nullopt;
   if (cost_of(*grown.search.path) > (1.0 + step.slower) * best_cost_) return kInfinity;
-  return keep_shortened(query_.maps.all, std::move(*grown.search.path), step.shortenings, trials).cost;
+  return keep_shortened(std::move(*grown.search.path), step.shortenings, trials).cost;
 }
 
 void PlanRun::take(const RaiseLowerBound&, double) { raise_lower_bound(); }
@@ -255,7 +254,7 @@ void PlanRun::take(const FollowOneWayRoutes& step, double trials) {
     Path path;
     const std::size_t legs = drive_over(*poses, path);
     if (legs + 1 == poses->size()) {
-      keep_shortened(query_.maps.all, std::move(path), step.shortenings, trials);
+      keep_shortened(std::move(path), step.shortenings, trials);
       return;
     }
     routes.leave_out(legs);
@@ -420,7 +419,7 @@ void PlanRun::take(const GrowNarrowGearTrees& step, double) {
 }
 
 std::optional<Path> PlanRun::pushed_free(const Path& path, const Pose& goal, const Vehicle& slim, double trials) {
-  const PushSpace space{map_.vehicle, map_.body, *map_.outlines, *map_.queries.sweep};
+  const PushSpace space = push_space();
   if (refines()) {
     const Stopwatch refining;
     RefineQuery query = refine_query(path, slim, trials);

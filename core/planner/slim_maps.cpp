@@ -27,15 +27,18 @@ Vehicle slimmer(const Vehicle& vehicle, double share) {
   return Vehicle(std::move(parameters));
 }
 
+Roadmap roadmap_for(const Vehicle& vehicle, const CircleRadii& radii, const Roadmap& map,
+                    const std::shared_ptr<const VisibilityRows>& rows, const StopClock& clock) {
+  const SerialExecutor serial;
+  const StoppableExecutor executor(serial, clock);  // circles take milliseconds
+  auto lazy = std::make_shared<const LazyFeasibleGraph>(
+      FeasibleGraphInputs{map.world, vehicle, rows, map.queries, radii}, executor);
+  return {map.world, vehicle, map.queries, radii, std::move(lazy), map.outlines, nullptr, clock};
+}
+
 const Roadmap* SlimMaps::operator()(std::size_t i, const StopClock& clock) const {
   return maps_[i].get(clock, [&] {
-    const Vehicle vehicle = slimmer(map_.vehicle, kSlimBodies[i]);
-    const CircleRadii radii = map_.radii.first(1);
-    const SerialExecutor serial;
-    const StoppableExecutor executor(serial, clock);  // circles take milliseconds
-    auto lazy = std::make_shared<const LazyFeasibleGraph>(
-        FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, executor);
-    Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines, nullptr, clock);
+    Roadmap slim = roadmap_for(slimmer(map_.vehicle, kSlimBodies[i]), map_.radii.first(1), map_, rows_, clock);
     slim.gaps = map_.gaps;  // the real body gets through no others
     return slim;
   });

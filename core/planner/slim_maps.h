@@ -17,6 +17,13 @@ namespace arcway::internal {
 /// The vehicle with a body that is narrower by a share of its width, and shorter by half that share of its length.
 Vehicle slimmer(const Vehicle& vehicle, double share);
 
+/// A roadmap for a vehicle of another body, in the world of a roadmap. Its graph is lazy, so that this takes
+/// O(vertices).
+/// @param rows  of the reduced graph.
+/// @throws Canceled if the clock is over before.
+Roadmap roadmap_for(const Vehicle& vehicle, const CircleRadii& radii, const Roadmap& map,
+                    const std::shared_ptr<const VisibilityRows>& rows, const StopClock& clock);
+
 /// Roadmaps of a world for slimmer bodies. Where a body has next to no room, the path of a slimmer one is far easier to
 /// find, and shows where that of the real one is. Made when first asked for. Thread-safe.
 class SlimMaps {

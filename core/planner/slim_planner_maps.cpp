@@ -6,7 +6,6 @@
 #include "core/planner/planner_maps.h"
 #include "core/planner/slim_maps.h"
 #include "core/planner/strategy.h"
-#include "core/roadmap/lazy_feasible_graph.h"
 
 namespace arcway::internal {
 
@@ -20,12 +19,9 @@ SlimPlannerMaps::SlimPlannerMaps(const Roadmap& map, std::shared_ptr<const Sweep
 const PlannerMaps* SlimPlannerMaps::operator()(const StopClock& clock) const {
   const auto* maps = maps_.get(clock, [&] {
     const Vehicle vehicle = slimmer(map_.vehicle, kSlimPlan);
-    const CircleRadii radii{vehicle, options_.radii};
+    Roadmap slim = roadmap_for(vehicle, {vehicle, options_.radii}, map_, rows_, clock);
     const SerialExecutor serial;
-    const StoppableExecutor executor(serial, clock);  // circles take milliseconds
-    auto lazy = std::make_shared<const LazyFeasibleGraph>(
-        FeasibleGraphInputs{map_.world, vehicle, rows_, map_.queries, radii}, executor);
-    Roadmap slim(map_.world, vehicle, map_.queries, radii, std::move(lazy), map_.outlines, nullptr, clock);
+    const StoppableExecutor executor(serial, clock);
     return std::make_shared<const PlannerMaps>(std::move(slim), obstacles_, options_, rows_, executor);
   });
   return maps != nullptr ? maps->get() : nullptr;

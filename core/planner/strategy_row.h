@@ -103,9 +103,8 @@ struct ProveDeadEnd {
 struct ProveEnclosure {
   std::size_t boxes;
 };
-/// Grows trees of forward motions from both ends: search_trees.
+/// Grows trees of forward motions from both ends, on the roadmap of all radii: search_trees.
 struct GrowTrees {
-  On on;
   double share;  ///< of PlanLimits::tree_poses
   std::span<const TreePass> passes;
   bool explores_surroundings = false;  ///< of the ends, where a tree runs dry: kSurroundingsEffort
@@ -216,7 +215,7 @@ struct GrowSlimGearTrees {
   double rest_weight = kRestWeight;  ///< see GearSearchOptions
 };
 /// Looks for paths of other ways, driven forwards: trees keep off those so far, see RouteQuery. In each round, trees of
-/// the slimmest body and of the body grow as those of GrowSlimTrees and GrowTrees do, except for kinds that found no
+/// the first slim body and of the body grow as those of GrowSlimTrees and GrowTrees do, except for kinds that found no
 /// path of a new cost in the round before. None on maps of more than PlanMaps::kNarrowVertices vertices.
 struct TryOtherWays {
   std::span<const TreePass> passes;
