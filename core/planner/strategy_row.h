@@ -215,8 +215,8 @@ struct GrowSlimGearTrees {
   double rest_weight = kRestWeight;  ///< see GearSearchOptions
 };
 /// Looks for paths of other ways, driven forwards: trees keep off those so far, see RouteQuery. In each round, trees of
-/// the first slim body and of the body grow as those of GrowSlimTrees and GrowTrees do, except for kinds that found no
-/// path of a new cost in the round before. None on maps of more than PlanMaps::kNarrowVertices vertices.
+/// the first slim body and of the body grow as those of GrowSlimTrees and GrowTrees do. A kind that found no path of a
+/// new cost in the round before is left out. None on maps of more than PlanMaps::kNarrowVertices vertices.
 struct TryOtherWays {
   std::span<const TreePass> passes;
   std::size_t rounds;         ///< the best path is avoided once more in each

@@ -126,6 +126,14 @@ TEST(PlanSteps, PlanForASlimmerBody) {
   expect_faster_than_the_drive_by_its_row({"driven/hugging/r7/g2/c50/s18105", kSlimPlanRow, true}, 0.95, {});
 }
 
+// The way that is found first is another one than that of the drive.
+TEST(PlanSteps, LookForAnotherWayThanTheFirst) {
+  const Narrow way{"driven/hugging/r6/g1/c50/s12113", "", false};
+  const PlanResult found = plan(way, {});
+  ASSERT_TRUE(found.solved());
+  EXPECT_LT(found.travel_time, 0.9 * time_of_drive(way));
+}
+
 // The graph's path passes an obstacle on the other side, and takes twice as long.
 TEST(PlanSteps, PlanForASlimmerBodyOnTheOtherSide) {
   expect_faster_by_its_row({"driven/hugging/r4/g1/c50/s2172", kSlimPlanRow, false}, 0.5);
