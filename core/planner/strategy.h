@@ -403,8 +403,7 @@ inline constexpr StrategyRow kStrategy[] = {
     {"trees of a slim body", kNarrowAfterGears, kShortSlimTrees, kUntilCompared},
 
     // Of 400 driven worlds in both gears, from a gap of 0.5 on, 18 to 22 become faster by more than 0.1 %, from 0.6 on
-    // 8
-    // to 18, and the median time grows by 10 to 16 instead of 3 to 9 %.
+    // 8 to 18, and the median time grows by 10 to 16 instead of 3 to 9 %.
     {"plan of a slim body", far_from_bound(Known::kForwardPath, Driving::kForwards, 0.35, false),
      PlanSlimBody{.slower = 0.2, .most_vertices = kSlimPlanVertices, .most_tree_poses = 8000}, kUntilCompared},
     {"plan of a slim body", far_from_bound(Known::kPath, Driving::kBothGears, 0.6, false),
@@ -446,8 +445,7 @@ inline constexpr StrategyRow kStrategy[] = {
     // plans were slower than the drive, 8 no longer are, one by 37 %. Of 800 driven worlds, with `fewer arcs`, these
     // rows make 43 faster by more than 1 %, and 22 slower by more than 0.05 %, by up to 2 %. Of 599, trees
     // of the less slim body make 7 faster, by up to 3 %, and 3 slower, for 9 % more time in all. A third round makes
-    // none
-    // of these faster, for 2 % more, and another one by 5 %.
+    // none of these faster, for 2 % more, and another one by 5 %.
     {"other ways by trees", far_from_bound(Known::kForwardPath, Driving::kForwards, 0.35), kOtherWays, kUntilCompared},
     {"other ways by trees", far_from_bound(Known::kForwardPath, Driving::kBothGears, 0.6), kOtherWays, kUntilCompared},
     // Paths around vertices take the long way where wide turns between obstacles are free. Few poses, some
