@@ -29,6 +29,10 @@ namespace {
 constexpr double kPieceTurn = 1.5;     // largest turn of the pieces of arcs [rad], less than half a circle
 constexpr std::size_t kMostGaps = 10;  // number of gaps of a path that are blocked, the narrowest first
 constexpr double kSamplesPerSegment = 8.0;
+// Suboptimality of the searches that compare routes: their paths are refined, and planned again at length. Of 192
+// alternatives in twelve clutters, 28 cost more by 0.05 %, 21 cost less, and the mean costs 0.05 % more than without,
+// for a fifth less time. One query among 2,000 obstacles takes 5.5 instead of 9.4 s.
+constexpr double kHasty = 0.2;
 
 // A gap that a path passes: the nearest obstacles on both of its sides.
 struct PassedGap {
@@ -202,6 +206,7 @@ class AlternativeSearch {
     quick_ = planner_.options();
     quick_.refinement.max_trials = 0;
     quick_.point_robot_lower_bound = false;
+    quick_.suboptimality = std::max(kHasty, quick_.suboptimality.value_or(0.0));
     PlannerOptions single_arcs = quick_;
     single_arcs.maneuver_poses = 0;
     single_arcs.gap_circles = false;
