@@ -17,7 +17,6 @@ namespace arcway::internal {
 
 void PlanRun::take(const TryOtherWays& step, double trials) {
   if (!is_worth_memory()) return;
-  if (query_.maps.tightest && !has_gap(best_cost_, step.several_gap, true)) return;
   struct Kind {
     std::variant<GrowSlimTrees, GrowTrees> trees;
     bool finds_new = true;

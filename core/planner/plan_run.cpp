@@ -66,6 +66,8 @@ bool PlanRun::holds(Known known) const {
       return !has_path();
     case Known::kPath:
       return has_path();
+    case Known::kEasierPath:
+      return has_path() && !is_narrowest_;
     case Known::kForwardPath:
       return has_forward_path();
     case Known::kByManeuvers:
@@ -96,6 +98,7 @@ bool PlanRun::holds(const When& when) {
   if (when.radii != Radii::kAny && (when.radii == Radii::kSeveral) != query_.maps.tightest.has_value()) return false;
   if (when.care != Care::kAny && (when.care == Care::kThorough) != is_thorough()) return false;
   if ((when.refines && !refines()) || (when.grows_trees && tree_poses_ == 0) || !holds(when.known)) return false;
+  if (result_.statistics.tree_poses > when.most_tree_poses) return false;
   if (when.has_speed_limits && !query_.maps.zone_routes) return false;
   if (when.has_one_way && !map_.one_way_zones) return false;
   if (when.gap > 0.0) {

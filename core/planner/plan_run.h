@@ -281,8 +281,9 @@ class PlanRun {
   std::size_t kept_ = 0;               // number of paths that the search in both gears had found when its path was kept
   std::size_t grown_ = 0;              // number of paths that it had found when trees had found the last one
   bool are_slim_gears_grown_ = false;  // trees in both gears of slim bodies
-  bool is_narrow_ = false;  // a path was found by trees of a slim body, or by those in both gears for narrow places
-  bool is_easy_ = false;    // the first path that was refined joins the roadmap by single arcs of few radii
+  bool is_narrow_ = false;     // a path was found by trees of a slim body, or by those in both gears for narrow places
+  bool is_easy_ = false;       // the first path that was refined joins the roadmap by single arcs of few radii
+  bool is_narrowest_ = false;  // a path was first found by narrow trees of the body, in both gears
   bool only_narrow_gears_ = false;  // the path in both gears is one of trees for narrow places
 };
 

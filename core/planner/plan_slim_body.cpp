@@ -1,5 +1,6 @@
 // The step of PlanRun that plans for a slimmer body.
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -8,7 +9,7 @@
 namespace arcway::internal {
 
 void PlanRun::take(const PlanSlimBody& step, double trials) {
-  if (map_.world.vertices().size() > step.most_vertices || result_.statistics.tree_poses > step.most_tree_poses) return;
+  if (map_.world.vertices().size() > step.most_vertices) return;
   keep_all();
   const PlannerMaps* maps = query_.maps.slim_plans(query_.clock);
   if (!maps) return;
@@ -16,6 +17,8 @@ void PlanRun::take(const PlanSlimBody& step, double trials) {
   PlanResult planned;
   planned.lower_bound = result_.lower_bound;  // for the gaps that rows ask for
   PlanRun run(query, workspace_within(), planned, Scope::kSlimBody);
+  if (query_.maps.tightest && result_.statistics.tree_poses == 0)
+    run.tree_poses_ = static_cast<std::size_t>(step.first_tree_share * static_cast<double>(run.tree_poses_));
   run.search_options_.faster_than = (1.0 + step.slower) * best_cost_;
   follow_within(run);
   if (!run.found() || run.best_cost_ >= best_cost_) return;

@@ -414,7 +414,7 @@ void PlanRun::take(const GrowGearTrees& step, double) {
 
 void PlanRun::take(const GrowNarrowGearTrees& step, double) {
   search([&] { return reversing_search().grow_narrow_gear_trees(step.poses); });
-  only_narrow_gears_ = reversing_->path().has_value();
+  only_narrow_gears_ = is_narrowest_ = reversing_->path().has_value();
   is_narrow_ = is_narrow_ || only_narrow_gears_;
 }
 

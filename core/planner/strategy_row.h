@@ -22,10 +22,11 @@ namespace arcway::internal {
 /// What has been found by the time a row comes.
 enum class Known {
   kAnything,
-  kNoPath,         ///< no path at all
-  kPath,           ///< some path
-  kForwardPath,    ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
-  kByManeuvers,    ///< such a path, found on the roadmap in use by maneuvers at both ends
+  kNoPath,       ///< no path at all
+  kPath,         ///< some path
+  kEasierPath,   ///< some path; not where narrow trees of the body found the first one, as those of slim bodies failed
+  kForwardPath,  ///< some path that is driven forwards, not much costlier than one in both gears: kWorthForwards
+  kByManeuvers,  ///< such a path, found on the roadmap in use by maneuvers at both ends
   kPathElsewhere,  ///< such a path, but none of the tightest radii alone
   kNarrowPath,     ///< only a path of trees for narrow places, which know little of cost
   kGearChanges     ///< only a path with changes of gear
@@ -53,6 +54,8 @@ struct When {
   double gap = 0.0;       ///< least gap of the plan on the roadmap in use; of one in both gears before refinement
   double best_gap = 0.0;  ///< least gap of the best plan so far
   double most_gap = std::numeric_limits<double>::infinity();  ///< largest gap of the best plan so far
+  /// Most poses of trees of forward motions so far: plans with many have taken seconds by then.
+  std::uint64_t most_tree_poses = std::numeric_limits<std::uint64_t>::max();
   /// Whether what zones with speed limits add to the time counts as gap. Where it does not, the row can save little of
   /// it. Only on a roadmap of the tightest radii: it always counts where there are several.
   bool gap_counts_zones = false;
@@ -222,7 +225,6 @@ struct TryOtherWays {
   std::size_t rounds;         ///< the best path is avoided once more in each
   std::uint32_t shortenings;  ///< as for GrowTrees
   double slower;              ///< as for GrowSlimTrees
-  double several_gap;         ///< least gap of the best path where there are several radii
 };
 /// Looks for paths of other ways in both gears: narrow trees of a slim body keep off those so far. As TryOtherWays.
 struct TryOtherWaysInBothGears {
@@ -236,8 +238,8 @@ struct TryOtherWaysInBothGears {
 struct PlanSlimBody {
   double slower;              ///< before refinement, than the best path, at most this share
   std::size_t most_vertices;  ///< none on larger maps: the body has maps of its own, of up to 10 kB a vertex
-  /// Not where trees of forward motions have grown more poses: such plans take seconds by then.
-  std::uint64_t most_tree_poses = std::numeric_limits<std::uint64_t>::max();
+  /// Share of the poses of trees of forward motions where there are several radii and no trees have grown before.
+  double first_tree_share = 1.0;
 };
 /// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.
 struct RefineBothGears {};

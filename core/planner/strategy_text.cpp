@@ -1,6 +1,9 @@
 #include "core/planner/strategy_text.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <variant>
 
 #include "arcway/angle.h"
@@ -22,6 +25,8 @@ const char* text_of(Known known) {
       return "no path yet";
     case Known::kPath:
       return "a path";
+    case Known::kEasierPath:
+      return "a path, the first one not of narrow trees of the body";
     case Known::kForwardPath:
       return "a forward path";
     case Known::kByManeuvers:
@@ -152,8 +157,7 @@ struct StepText {
   }
   std::string operator()(const TryOtherWays& step) const {
     return "grow trees of a slim body and of the body that keep off the paths so far, in " +
-           std::to_string(step.rounds) + " rounds; where there are several radii, with a gap > " +
-           percent(step.several_gap);
+           std::to_string(step.rounds) + " rounds";
   }
   std::string operator()(const TryOtherWaysInBothGears& step) const {
     return "grow trees in both gears of a slim body that keep off the paths so far: " + std::to_string(step.rounds) +
@@ -167,8 +171,10 @@ struct StepText {
            std::to_string(step.poses) + " poses" + weight_text(step.rest_weight, kRestWeight) +
            (step.again ? ", again, for a path cheaper than the refined one" : "");
   }
-  std::string operator()(const PlanSlimBody&) const {
-    return "plan for a body " + percent(kSlimPlan) + " narrower, and push its path off what the body touches";
+  std::string operator()(const PlanSlimBody& step) const {
+    return "plan for a body " + percent(kSlimPlan) + " narrower, " +
+           (step.first_tree_share == 1.0 ? "" : "with several radii by fewer poses of the first trees, ") +
+           "and push its path off what the body touches";
   }
   std::string operator()(const RefineBothGears&) const { return "refine the cheapest path of the rows in both gears"; }
 };
@@ -192,6 +198,9 @@ std::string text_of(const When& when) {
   add(when.gap > 0.0, "gap > " + percent(when.gap));
   add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));
   add(std::isfinite(when.most_gap), "best gap up to " + percent(when.most_gap));
+  add(when.most_tree_poses < std::numeric_limits<std::uint64_t>::max(),
+      when.most_tree_poses == 0 ? "no trees so far"
+                                : "up to " + std::to_string(when.most_tree_poses) + " poses of trees so far");
   add(when.gap_counts_zones, "what zones add counts");
   add(when.tight_end > 0.0,
       "an end turns less than " + shortest_text(std::round(when.tight_end * 1800.0 / kPi) / 10.0) + " degrees");

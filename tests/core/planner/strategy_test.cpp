@@ -70,6 +70,7 @@ TEST(Strategy, EveryRowHasAText) {
   }
   EXPECT_EQ(text_of(When{.known = Known::kPath, .care = Care::kQuick, .gap = 0.07}),
             "a path, several radii or unrefined, gap > 7 %");
+  EXPECT_EQ(text_of(When{.known = Known::kPath, .most_tree_poses = 4000}), "a path, up to 4000 poses of trees so far");
 }
 
 // Where no path is known, a row that needs one cannot be taken: it would look at what is not there.
@@ -115,6 +116,22 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
   EXPECT_FALSE(tries_them("driven/rooms/r5/g1/c50/s2011"));   // 119 %
   EXPECT_TRUE(tries_them("driven/hugging/r2/g1/c50/s2017"));  // one radius, 4 %
   EXPECT_FALSE(tries_them("driven/rooms/r1/g1/c50/s2007"));   // 27 %
+}
+
+// Plans far from the bound whose first path took trees of many poses.
+TEST(Strategy, LooksForNoOtherWaysBehindManyTreePoses) {
+  const auto looks_for_them = [](const char* name) {
+    const auto driven = catalog_driven_world(name);
+    const World world = to_world(driven->map, name);
+    const PlanRequest request{.start = *driven->map.start, .goal = *driven->map.goal};
+    const auto poses = [&](const std::vector<std::string>& left_out) {
+      const Planner planner(world, Vehicle(driven->robot), {.graph_mode = GraphMode::kLazy, .leave_out = left_out});
+      return planner.plan(request).statistics.tree_poses;
+    };
+    return poses({}) > poses({"other ways by trees"});
+  };
+  EXPECT_TRUE(looks_for_them("driven/scattered/r1/g1/c50/s17108"));  // none
+  EXPECT_FALSE(looks_for_them("driven/hugging/r9/g1/c50/s32197"));   // 5,056
 }
 
 // Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
