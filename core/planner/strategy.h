@@ -101,6 +101,12 @@ constexpr When far_from_bound(Known known, Driving driving, double best_gap, boo
           .grows_trees = grows_trees,
           .best_gap = best_gap};
 }
+// The cheapest path of the rows in both gears is.
+constexpr When gears_far_from_bound(double gap) {
+  When when = far_from_bound(Known::kPath, Driving::kBothGears, 0.0);
+  when.gap = gap;
+  return when;
+}
 // Trees that keep off the paths so far are worth it.
 constexpr When worth_other_ways(Radii radii, double best_gap, std::uint64_t most_tree_poses) {
   When when = far_from_bound(Known::kForwardPath, Driving::kForwards, best_gap);
@@ -108,14 +114,9 @@ constexpr When worth_other_ways(Radii radii, double best_gap, std::uint64_t most
   when.most_tree_poses = most_tree_poses;
   return when;
 }
+// Trees of forward motions have had no more poses than that so far.
 constexpr When before_tree_poses(When when, std::uint64_t most) {
   when.most_tree_poses = most;
-  return when;
-}
-// The cheapest path of the rows in both gears is.
-constexpr When gears_far_from_bound(double gap) {
-  When when = far_from_bound(Known::kPath, Driving::kBothGears, 0.0);
-  when.gap = gap;
   return when;
 }
 inline constexpr When kNarrowAfterGears{
@@ -415,11 +416,10 @@ inline constexpr StrategyRow kStrategy[] = {
     {"trees of a slim body", kNarrowAfterGears, kShortSlimTrees, kUntilCompared},
 
     // Of 400 driven worlds in both gears, from a gap of 0.5 on, 18 to 22 become faster by more than 0.1 %, from 0.6 on
-    // 8 to 18, and the median time grows by 10 to 16 instead of 3 to 9 %. The first trees with several radii make 3 of
-    // 63
-    // driven worlds faster, none by more than 1 %, and two of 633 plans among 100 obstacles slower by 0.3 % or more if
-    // they have a tenth of the poses; these take 15 % less time in all. In both gears, of 40 where narrow trees of the
-    // body found the first path, 4 become faster, by up to 6 %.
+    // 8 to 18, and the median time grows by 10 to 16 instead of 3 to 9 %. Of 40 where narrow trees of the body found
+    // the first path, 4 do, by up to 6 %. With several radii, the first trees of all make 3 of 63 driven worlds
+    // faster, none by more than 1 %. With a tenth of the poses, 633 plans among 100 obstacles take 15 % less time in
+    // all, and two of these are slower by more than 0.05 %.
     {"plan of a slim body",
      before_tree_poses(far_from_bound(Known::kForwardPath, Driving::kForwards, 0.35, false), 8000),
      PlanSlimBody{.slower = 0.2, .most_vertices = kSlimPlanVertices, .first_tree_share = 0.1}, kUntilCompared},
