@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -118,20 +119,32 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
   EXPECT_FALSE(tries_them("driven/rooms/r1/g1/c50/s2007"));   // 27 %
 }
 
+// What a plan of a driven world counts, without rows of a name.
+PlanStatistics statistics_without(const char* name, std::vector<std::string> left_out, bool reverse) {
+  const auto driven = catalog_driven_world(name);
+  const Planner planner(to_world(driven->map, name), Vehicle(driven->robot),
+                        {.graph_mode = GraphMode::kLazy, .leave_out = std::move(left_out)});
+  return planner.plan({.start = *driven->map.start, .goal = *driven->map.goal, .reverse = reverse}).statistics;
+}
+
 // Plans far from the bound whose first path took trees of many poses.
 TEST(Strategy, LooksForNoOtherWaysBehindManyTreePoses) {
   const auto looks_for_them = [](const char* name) {
-    const auto driven = catalog_driven_world(name);
-    const World world = to_world(driven->map, name);
-    const PlanRequest request{.start = *driven->map.start, .goal = *driven->map.goal};
-    const auto poses = [&](const std::vector<std::string>& left_out) {
-      const Planner planner(world, Vehicle(driven->robot), {.graph_mode = GraphMode::kLazy, .leave_out = left_out});
-      return planner.plan(request).statistics.tree_poses;
-    };
-    return poses({}) > poses({"other ways by trees"});
+    return statistics_without(name, {}, false).tree_poses >
+           statistics_without(name, {"other ways by trees"}, false).tree_poses;
   };
   EXPECT_TRUE(looks_for_them("driven/scattered/r1/g1/c50/s17108"));  // none
   EXPECT_FALSE(looks_for_them("driven/hugging/r9/g1/c50/s32197"));   // 5,056
+}
+
+// Where trees of slim bodies have found no path, they find no other ways either.
+TEST(Strategy, LooksForNoOtherWaysInTheNarrowestPlaces) {
+  const auto looks_for_them = [](const char* name) {
+    return statistics_without(name, {}, true).turns_checked !=
+           statistics_without(name, {"other ways by trees in both gears"}, true).turns_checked;
+  };
+  EXPECT_TRUE(looks_for_them("driven/scattered/r1/g2/c50/s16252"));
+  EXPECT_FALSE(looks_for_them("driven/hugging/r2/g2/c50/s32325"));
 }
 
 // Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
