@@ -17,8 +17,10 @@ void PlanRun::take(const PlanSlimBody& step, double trials) {
   PlanResult planned;
   planned.lower_bound = result_.lower_bound;  // for the gaps that rows ask for
   PlanRun run(query, workspace_within(), planned, Scope::kSlimBody);
-  if (query_.maps.tightest && result_.statistics.tree_poses == 0)
+  if (query_.maps.tightest && result_.statistics.tree_poses == 0) {
     run.tree_poses_ = static_cast<std::size_t>(step.first_tree_share * static_cast<double>(run.tree_poses_));
+    run.tree_effort_.attachments = 0;  // the rows before have searched the roadmap, up to the same cost
+  }
   run.search_options_.faster_than = (1.0 + step.slower) * best_cost_;
   follow_within(run);
   if (!run.found() || run.best_cost_ >= best_cost_) return;

@@ -106,7 +106,7 @@ std::optional<double> PlanRun::grow(const GrowTrees& step, double trials) {
   const Roadmap& map = maps.narrow ? maps.narrow->map(query_.clock) : maps.plain;
   const TreeLimits limits{.poses = static_cast<std::size_t>(step.share * static_cast<double>(tree_poses_)),
                           .passes = step.passes,
-                          .effort = kTreeEffort,
+                          .effort = tree_effort_,
                           .surroundings_effort = step.explores_surroundings ? &kSurroundingsEffort : nullptr,
                           .dead_end_passes = kDeadEndPasses,
                           .avoided = avoided_};

@@ -238,7 +238,8 @@ struct TryOtherWaysInBothGears {
 struct PlanSlimBody {
   double slower;              ///< before refinement, than the best path, at most this share
   std::size_t most_vertices;  ///< none on larger maps: the body has maps of its own, of up to 10 kB a vertex
-  /// Share of the poses of trees of forward motions where there are several radii and no trees have grown before.
+  /// Share of the poses of trees of forward motions where there are several radii and no trees have grown before. These
+  /// trees do not join the roadmap.
   double first_tree_share = 1.0;
 };
 /// Refines the cheapest path of the rows in both gears. That is done at the end of the strategy in any case.

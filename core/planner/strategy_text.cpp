@@ -173,7 +173,9 @@ struct StepText {
   }
   std::string operator()(const PlanSlimBody& step) const {
     return "plan for a body " + percent(kSlimPlan) + " narrower, " +
-           (step.first_tree_share == 1.0 ? "" : "with several radii by fewer poses of the first trees, ") +
+           (step.first_tree_share == 1.0
+                ? ""
+                : "with several radii by fewer poses of the first trees, beside the roadmap, ") +
            "and push its path off what the body touches";
   }
   std::string operator()(const RefineBothGears&) const { return "refine the cheapest path of the rows in both gears"; }
