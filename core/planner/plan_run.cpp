@@ -23,6 +23,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       map_(query.map()),
       search_options_{query.options.heuristic, query.clock, query.request.cusp_cost},
       tree_poses_(query.options.maneuver_poses > 0 ? query.limits.tree_poses : 0),
+      tree_effort_(kTreeEffort),
       gear_changes_{.cost = query.request.cusp_cost},
       workspace_(workspace),
       result_(result),

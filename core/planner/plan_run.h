@@ -14,7 +14,6 @@
 #include "core/motion/speed_profile.h"
 #include "core/planner/no_path.h"
 #include "core/planner/query_context.h"
-#include "core/planner/strategy.h"
 #include "core/planner/strategy_row.h"
 #include "core/refine/join_arcs.h"
 #include "core/refine/refine_path.h"
@@ -247,7 +246,7 @@ class PlanRun {
   const Roadmap& map_;
   SearchOptions search_options_;
   std::size_t tree_poses_;
-  TreeEffort tree_effort_ = kTreeEffort;
+  TreeEffort tree_effort_;  // of trees of forward motions of the body
   GearChanges gear_changes_;
   PlanWorkspace& workspace_;
   PlanResult& result_;

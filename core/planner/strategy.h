@@ -107,17 +107,16 @@ constexpr When gears_far_from_bound(double gap) {
   when.gap = gap;
   return when;
 }
-// Trees that keep off the paths so far are worth it.
-constexpr When worth_other_ways(Radii radii, double best_gap, std::uint64_t most_tree_poses) {
-  When when = far_from_bound(Known::kForwardPath, Driving::kForwards, best_gap);
-  when.radii = radii;
-  when.most_tree_poses = most_tree_poses;
-  return when;
-}
 // Trees of forward motions have had no more poses than that so far.
 constexpr When before_tree_poses(When when, std::uint64_t most) {
   when.most_tree_poses = most;
   return when;
+}
+// Trees that keep off the paths so far are worth it.
+constexpr When worth_other_ways(Radii radii, double best_gap, std::uint64_t most_tree_poses) {
+  When when = far_from_bound(Known::kForwardPath, Driving::kForwards, best_gap);
+  when.radii = radii;
+  return before_tree_poses(when, most_tree_poses);
 }
 inline constexpr When kNarrowAfterGears{
     .known = Known::kNoPath, .driving = Driving::kBothGears, .whole = true, .grows_trees = true};
@@ -418,8 +417,9 @@ inline constexpr StrategyRow kStrategy[] = {
     // Of 400 driven worlds in both gears, from a gap of 0.5 on, 18 to 22 become faster by more than 0.1 %, from 0.6 on
     // 8 to 18, and the median time grows by 10 to 16 instead of 3 to 9 %. Of 40 where narrow trees of the body found
     // the first path, 4 do, by up to 6 %. With several radii, the first trees of all make 3 of 63 driven worlds
-    // faster, none by more than 1 %. With a tenth of the poses, and beside the roadmap, 210 plans among 100 obstacles
-    // of fill 0.45 take 28 % less time in all, and two of these are slower by more than 0.05 %, one by 4 %.
+    // faster, none by more than 1 %. They have a tenth of the poses, beside the roadmap. With that, and with the gaps
+    // of the trees below, 210 plans among 100 obstacles of fill 0.45 take 28 % less time in all; two are slower by
+    // more than 0.05 %, one by 4 %.
     {"plan of a slim body",
      before_tree_poses(far_from_bound(Known::kForwardPath, Driving::kForwards, 0.35, false), 8000),
      PlanSlimBody{.slower = 0.2, .most_vertices = kSlimPlanVertices, .first_tree_share = 0.1}, kUntilCompared},
@@ -463,8 +463,8 @@ inline constexpr StrategyRow kStrategy[] = {
     // rows make 43 faster by more than 1 %, and 22 slower by more than 0.05 %, by up to 2 %. Of 599, trees
     // of the less slim body make 7 faster, by up to 3 %, and 3 slower, for 9 % more time in all. A third round makes
     // none of these faster, for 2 % more, and another one by 5 %.
-    // Of 44 driven worlds with one radius whose trees had more poses by then, they make none faster by more than 0.1 %.
-    // Of 179 with several radii whose trees had any, they make 5 faster, one by 2 %, for a tenth of all the time.
+    // Of 44 driven worlds whose trees had more than 4,000 poses by then, they make none faster by more than 0.1 %. Of
+    // 179 with several radii whose trees had any, they make 5 faster, one by 2 %, for a tenth of all the time.
     {"other ways by trees", worth_other_ways(Radii::kTightest, 0.35, 4000), kOtherWays, kUntilCompared},
     {"other ways by trees", worth_other_ways(Radii::kSeveral, 0.5, 0), kOtherWays, kUntilCompared},
     // Paths around vertices take the long way where wide turns between obstacles are free. Few poses, some

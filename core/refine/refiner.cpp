@@ -1,6 +1,8 @@
 #include "core/refine/refiner.h"
 
 #include <algorithm>
+#include <iterator>
+#include <variant>
 
 #include "core/base/infinity.h"
 #include "core/motion/travel_time_lower_bound.h"

@@ -2,10 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "core/collision/motion_free.h"
