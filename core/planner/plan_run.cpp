@@ -100,6 +100,7 @@ bool PlanRun::holds(const When& when) {
   if (when.care != Care::kAny && (when.care == Care::kThorough) != is_thorough()) return false;
   if ((when.refines && !refines()) || (when.grows_trees && tree_poses_ == 0) || !holds(when.known)) return false;
   if (result_.statistics.tree_poses > when.most_tree_poses) return false;
+  if (map_.world.vertices().size() > when.most_vertices) return false;
   if (when.has_speed_limits && !query_.maps.zone_routes) return false;
   if (when.has_one_way && !map_.one_way_zones) return false;
   if (when.gap > 0.0) {

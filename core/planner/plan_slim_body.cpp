@@ -9,7 +9,6 @@
 namespace arcway::internal {
 
 void PlanRun::take(const PlanSlimBody& step, double trials) {
-  if (map_.world.vertices().size() > step.most_vertices) return;
   keep_all();
   const PlannerMaps* maps = query_.maps.slim_plans(query_.clock);
   if (!maps) return;

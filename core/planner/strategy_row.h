@@ -56,6 +56,8 @@ struct When {
   double most_gap = std::numeric_limits<double>::infinity();  ///< largest gap of the best plan so far
   /// Most poses of trees of forward motions so far: plans with many have taken seconds by then.
   std::uint64_t most_tree_poses = std::numeric_limits<std::uint64_t>::max();
+  /// Most vertices of the map. What trees and slim bodies take grows with the map more than what they gain.
+  std::size_t most_vertices = std::numeric_limits<std::size_t>::max();
   /// Whether what zones with speed limits add to the time counts as gap. Where it does not, the row can save little of
   /// it. Only on a roadmap of the tightest radii: it always counts where there are several.
   bool gap_counts_zones = false;
@@ -195,8 +197,9 @@ struct JoinBackwards {};
 /// Looks for a path on the roadmap with changes of gear near both ends.
 struct JoinBetweenGears {
   GearAttachments attachments;
-  /// Fewer of them, where trees in both gears have found the only path.
+  /// Fewer of them, where trees in both gears have found the only path, and on maps of more than `few_from` vertices.
   std::optional<GearAttachments> few = {};
+  std::size_t few_from = std::numeric_limits<std::size_t>::max();
 };
 /// Grows trees of motions in both gears: search_gears.
 struct GrowGearTrees {
@@ -236,8 +239,7 @@ struct TryOtherWaysInBothGears {
 /// the real body touches: SlimPlannerMaps, push_free. The real body may fit through gaps where no circle of its roadmap
 /// does.
 struct PlanSlimBody {
-  double slower;              ///< before refinement, than the best path, at most this share
-  std::size_t most_vertices;  ///< none on larger maps: the body has maps of its own, of up to 10 kB a vertex
+  double slower;  ///< before refinement, than the best path, at most this share
   /// Share of the poses of trees of forward motions where there are several radii and no trees have grown before. These
   /// trees do not join the roadmap.
   double first_tree_share = 1.0;

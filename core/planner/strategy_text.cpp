@@ -139,7 +139,10 @@ struct StepText {
   std::string operator()(const JoinArcs&) const { return "drive the best path in fewer arcs, and refine it further"; }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
   std::string operator()(const JoinBetweenGears& step) const {
-    const std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees," : "";
+    std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees" : "";
+    if (step.few && step.few_from < std::numeric_limits<std::size_t>::max())
+      few += " and on a map of more than " + std::to_string(step.few_from) + " vertices";
+    if (step.few) few += ",";
     return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) + few +
            " poses of each end, cells of 1/" + shortest_text(step.attachments.cells) + " turning radius";
   }
@@ -198,11 +201,14 @@ std::string text_of(const When& when) {
   add(when.has_one_way, "zones limit directions");
   add(when.refines && when.care != Care::kThorough, "refined");
   add(when.gap > 0.0, "gap > " + percent(when.gap));
-  add(when.best_gap > 0.0 && when.best_gap > when.gap, "best gap > " + percent(when.best_gap));
+  const bool is_of_gears = when.driving == Driving::kBothGears;  // the gap, not the best gap
+  add(when.best_gap > 0.0 && (is_of_gears || when.best_gap > when.gap), "best gap > " + percent(when.best_gap));
   add(std::isfinite(when.most_gap), "best gap up to " + percent(when.most_gap));
   add(when.most_tree_poses < std::numeric_limits<std::uint64_t>::max(),
       when.most_tree_poses == 0 ? "no trees so far"
                                 : "up to " + std::to_string(when.most_tree_poses) + " poses of trees so far");
+  add(when.most_vertices < std::numeric_limits<std::size_t>::max(),
+      "a map of up to " + std::to_string(when.most_vertices) + " vertices");
   add(when.gap_counts_zones, "what zones add counts");
   add(when.tight_end > 0.0,
       "an end turns less than " + shortest_text(std::round(when.tight_end * 1800.0 / kPi) / 10.0) + " degrees");

@@ -72,6 +72,9 @@ TEST(Strategy, EveryRowHasAText) {
   EXPECT_EQ(text_of(When{.known = Known::kPath, .care = Care::kQuick, .gap = 0.07}),
             "a path, several radii or unrefined, gap > 7 %");
   EXPECT_EQ(text_of(When{.known = Known::kPath, .most_tree_poses = 4000}), "a path, up to 4000 poses of trees so far");
+  EXPECT_EQ(text_of(When{.most_vertices = 2000}), "a map of up to 2000 vertices");
+  EXPECT_EQ(text_of(When{.driving = Driving::kBothGears, .gap = 0.3, .best_gap = 0.3}),
+            "both gears, gap > 30 %, best gap > 30 %");
 }
 
 // Where no path is known, a row that needs one cannot be taken: it would look at what is not there.
@@ -119,19 +122,29 @@ TEST(Strategy, TriesOtherTurnsNearTheBoundOnly) {
   EXPECT_FALSE(tries_them("driven/rooms/r1/g1/c50/s2007"));   // 27 %
 }
 
-// What a plan of a driven world counts, without rows of a name.
-PlanStatistics statistics_without(const char* name, std::vector<std::string> left_out, bool reverse) {
-  const auto driven = catalog_driven_world(name);
-  const Planner planner(to_world(driven->map, name), Vehicle(driven->robot),
-                        {.graph_mode = GraphMode::kLazy, .leave_out = std::move(left_out)});
-  return planner.plan({.start = *driven->map.start, .goal = *driven->map.goal, .reverse = reverse}).statistics;
+// A plan of a driven world without rows of a name.
+struct Without {
+  const char* world;
+  std::vector<std::string> left_out;
+  bool reverse;
+  std::size_t added = 0;  // obstacles outside of the bounds
+};
+PlanStatistics statistics_without(const Without& query) {
+  auto driven = catalog_driven_world(query.world);
+  for (std::size_t i = 0; i < query.added; ++i) {
+    const double x = driven->map.bounds->front().x() - 10.0 - static_cast<double>(i);
+    driven->map.obstacles.push_back({{{x, 0.0}, {x + 0.5, 0.0}, {x, 0.5}}, {}});
+  }
+  const Planner planner(to_world(driven->map, query.world), Vehicle(driven->robot),
+                        {.graph_mode = GraphMode::kLazy, .leave_out = query.left_out});
+  return planner.plan({.start = *driven->map.start, .goal = *driven->map.goal, .reverse = query.reverse}).statistics;
 }
 
 // Plans far from the bound whose first path took trees of many poses.
 TEST(Strategy, LooksForNoOtherWaysBehindManyTreePoses) {
   const auto looks_for_them = [](const char* name) {
-    return statistics_without(name, {}, false).tree_poses >
-           statistics_without(name, {"other ways by trees"}, false).tree_poses;
+    return statistics_without({name, {}, false}).tree_poses >
+           statistics_without({name, {"other ways by trees"}, false}).tree_poses;
   };
   EXPECT_TRUE(looks_for_them("driven/scattered/r1/g1/c50/s17108"));  // none
   EXPECT_FALSE(looks_for_them("driven/hugging/r9/g1/c50/s32197"));   // 5,056
@@ -140,11 +153,43 @@ TEST(Strategy, LooksForNoOtherWaysBehindManyTreePoses) {
 // Where trees of slim bodies have found no path, they find no other ways either.
 TEST(Strategy, LooksForNoOtherWaysInTheNarrowestPlaces) {
   const auto looks_for_them = [](const char* name) {
-    return statistics_without(name, {}, true).turns_checked !=
-           statistics_without(name, {"other ways by trees in both gears"}, true).turns_checked;
+    return statistics_without({name, {}, true}).turns_checked !=
+           statistics_without({name, {"other ways by trees in both gears"}, true}).turns_checked;
   };
   EXPECT_TRUE(looks_for_them("driven/scattered/r1/g2/c50/s16252"));
   EXPECT_FALSE(looks_for_them("driven/hugging/r2/g2/c50/s32325"));
+}
+
+// What the rows take grows with the map, even where all that is added to it lies outside of the bounds.
+TEST(Strategy, LooksForFasterPathsByTreesOnSmallMapsOnly) {
+  const auto looks_for_them = [](const char* name, const char* row, std::size_t added) {
+    return statistics_without({name, {}, false, added}).turns_checked !=
+           statistics_without({name, {row}, false, added}).turns_checked;
+  };
+  constexpr std::size_t kFew = 10, kMany = 700;
+  const auto expect_on_small_maps_only = [&](const char* name, const char* row) {
+    EXPECT_TRUE(looks_for_them(name, row, kFew)) << row;
+    EXPECT_FALSE(looks_for_them(name, row, kMany)) << row;
+  };
+  expect_on_small_maps_only("driven/scattered/r1/g1/c50/s17108", "other ways by trees");
+  expect_on_small_maps_only("driven/hugging/r6/g1/c50/s32293", "plan of a slim body");
+}
+
+TEST(Strategy, TriesFewerPlacesToTurnOnLargeMaps) {
+  const auto places = [](std::size_t added) {
+    return statistics_without({"driven/scattered/r6/g2/c50/s31176", {}, true, added}).maneuver_poses;
+  };
+  EXPECT_GT(places(10), places(700));
+}
+
+// The path that is driven forwards is near the bound, and the one with changes of gear far above it.
+TEST(Strategy, LooksForNoChangesOfGearBesideAGoodPathForwards) {
+  for (const char* row : {"changes of gear near the ends", "changes of gear further away"}) {
+    const char* world = "driven/rooms/r8/g2/c50/s31223";  // 19 %
+    EXPECT_EQ(statistics_without({world, {}, true}).maneuver_poses,
+              statistics_without({world, {row}, true}).maneuver_poses)
+        << row;
+  }
 }
 
 // Maneuvers are tried forwards only if changes of gear near the ends lead nowhere.
