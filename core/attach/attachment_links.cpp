@@ -18,11 +18,8 @@ namespace {
 
 constexpr double kLengthRounding = 1e-9;  // share of a length that rounding may change
 
-void sort_near_first(const Vec2& place, const Outlines& outlines, std::vector<std::uint32_t>& pieces) {
-  std::ranges::sort(pieces, {}, [&](std::uint32_t i) {
-    const Outlines::Piece piece = outlines[i];
-    return std::pair(piece.box.distance_to(place), piece.first);
-  });
+bool before(const AttachmentLinks::NearPiece& a, const AttachmentLinks::NearPiece& b) {
+  return a.distance < b.distance || (a.distance == b.distance && a.first < b.first);
 }
 
 // The longest way between the other end and the center of an attachment's circle.
@@ -52,18 +49,18 @@ class CircleLinks {
 
   // Pieces of outline that no nearer one hides, unless the clock is over. If their circles are more than the limit
   // allows, the nearest come first.
-  void find_pieces(std::vector<std::uint32_t>& pieces) {
+  void find_pieces(std::vector<AttachmentLinks::NearPiece>& pieces) {
     const bool body_covers_reference = map_.body.covers_reference();
     std::size_t circles = 0;
     map_.places->visit_near_first(
         own_.circle.center, [&](const Box& box) { return !ticker_.is_over() && !is_far(box) && !horizon_.hides(box); },
         [&](const Outlines::Piece& piece, std::uint32_t index) {
           if (body_covers_reference) horizon_.shorten(piece.points, piece.box);
-          pieces.push_back(index);
+          pieces.push_back({piece.box.distance_to(own_.circle.center), piece.first, index});
           for (const CirclePlaces::Group& group : map_.places->of(index).groups) circles += group.last - group.first;
         });
     horizon_.finish();
-    if (circles > limit_.most_links) sort_near_first(own_.circle.center, map_.places->outlines(), pieces);
+    if (circles > limit_.most_links) std::ranges::sort(pieces, before);
   }
 
   // Calls found(circle, line, turn) for each straight between this circle and those of a piece.
@@ -152,9 +149,9 @@ bool AttachmentLinks::append_links(const PathEnd& end, std::span<const Attachmen
   pieces_.clear();
   own.find_pieces(pieces_);
   const std::size_t first = links.size();
-  for (const std::uint32_t piece : pieces_) {
+  for (const NearPiece& piece : pieces_) {
     if (links.size() - first >= limit.most_links || end.clock.is_over()) break;
-    own.visit_links(piece, [&](std::uint32_t circle, const Bitangent& line, double turn) {
+    own.visit_links(piece.index, [&](std::uint32_t circle, const Bitangent& line, double turn) {
       links.push_back({index, circle, line, turn});
     });
   }

@@ -83,9 +83,16 @@ class AttachmentLinks {
   bool append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
                     const LengthLimit& limit, HugeVector<AttachmentLink>& links);
 
+  /// A piece of outline near a circle.
+  struct NearPiece {
+    double distance;      ///< of its box from the circle's center [m]
+    VertexId first;       ///< see Outlines::Piece
+    std::uint32_t index;  ///< among the outlines
+  };
+
  private:
-  HeadingSet headings_;                // memory
-  std::vector<std::uint32_t> pieces_;  // memory
+  HeadingSet headings_;            // memory
+  std::vector<NearPiece> pieces_;  // memory
 };
 
 }  // namespace arcway::internal
