@@ -9,6 +9,7 @@
 #include "core/base/infinity.h"
 #include "core/collision/motion_free.h"
 #include "core/collision/path_cost.h"
+#include "core/motion/speed_profile.h"
 
 namespace arcway::internal {
 
@@ -22,6 +23,7 @@ constexpr std::size_t kMostDirectPairs = 64;
 constexpr std::size_t kLinksOfPoses = 1 << 16;
 constexpr std::size_t kVerticesALink = 2;
 constexpr std::size_t kLeastLinks = 2;
+constexpr double kTimeRounding = 1e-9;  // share of a time that rounding may change
 
 bool is_same_pose(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.heading == b.heading; }
 
@@ -31,6 +33,15 @@ std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::s
   const std::size_t most = std::max(kLinksOfPoses, vertices / kVerticesALink);
   const std::size_t left = most - std::min(most, known_links);
   return std::max(kLeastLinks, left / 2 / std::max<std::size_t>(new_circles, 1));
+}
+
+// Upper bound on the length of paths that are wanted [m].
+double longest_path(const SearchContext& context) {
+  const SearchOptions& options = context.options;
+  const double time = options.faster_than * (1.0 + kTimeRounding), top = context.vehicle.top_speed();
+  if (options.time_model != TimeModel::kProfile) return time * top;
+  const double a = context.vehicle.max_acceleration();
+  return longest_motion(time, std::abs(options.ends.start), top, std::abs(options.ends.goal), a);
 }
 
 // Whether the poses of `all` begin with `some`.
@@ -68,7 +79,7 @@ bool SearchAttachments::are_first_of(const SearchContext& context) const {
 
 void SearchAttachments::begin(SearchContext& context) {
   context_ = &context;
-  longest_path_ = context.options.faster_than * context.vehicle.top_speed();
+  longest_path_ = longest_path(context);
   const std::size_t known_starts = starts_.size(), known_goals = goals_.size();
   const auto first_start_circle = start_circles_.size();
   const auto first_goal_circle = static_cast<std::uint32_t>(goal_circles_.size());

@@ -85,6 +85,14 @@ double relaxed_segment_time(double length, double v1, double v2, double v3, doub
   return segment_time(length, entry, v2, exit, acceleration);
 }
 
+double longest_motion(double time, double v1, double v2, double v3, double acceleration) {
+  // The speed rises, is kept at the top if it gets there, and falls. Without that end, it would reach the peak.
+  const double peak = 0.5 * (v1 + v3 + acceleration * time);
+  if (peak < std::max(v1, v3)) return time * v2;  // there is no such motion
+  if (peak < v2) return (2.0 * peak * peak - v1 * v1 - v3 * v3) / (2.0 * acceleration);
+  return time * v2 - ((v2 - v1) * (v2 - v1) + (v2 - v3) * (v2 - v3)) / (2.0 * acceleration);
+}
+
 double speed_limit(const PathSegment& segment, const Vehicle& vehicle) {
   const bool forward = segment.gear == Gear::kForward;
   if (segment.is_line()) return forward ? vehicle.max_speed() : vehicle.max_reverse_speed();

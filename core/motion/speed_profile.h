@@ -31,6 +31,11 @@ double segment_time(double length, double v1, double v2, double v3, double accel
 /// these hold.
 double relaxed_segment_time(double length, double v1, double v2, double v3, double acceleration);
 
+/// An upper bound on the length of motions that take a time [m], with entry speed v1, top speed v2 and exit speed v3,
+/// at acceleration a. It is that of the longest one if the speeds can be reached in the time. Preconditions: time >= 0,
+/// which may be infinite, a > 0, 0 <= v1, v3 <= v2.
+double longest_motion(double time, double v1, double v2, double v3, double acceleration);
+
 /// Speeds at the joints of a path, and the time between them.
 struct SpeedProfile {
   std::vector<double> speeds;     ///< n + 1 speeds [m/s] at the joints, ends included

@@ -97,6 +97,24 @@ TEST(SegmentPhases, AddUpToLengthAndTime) {
   }
 }
 
+TEST(LongestMotion, TakesTheTime) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double top = 0.1 + 20.0 * share(random), a = 0.1 + 5.0 * share(random);
+    const double v1 = top * share(random), v3 = top * share(random);
+    const double least = std::abs(v1 * v1 - v3 * v3) / (2.0 * a), length = least + 50.0 * share(random);
+    const double time = relaxed_segment_time(length, v1, top, v3, a);
+    EXPECT_NEAR(longest_motion(time, v1, top, v3, a), length, 1e-9 * (1.0 + length)) << top << ' ' << v1 << ' ' << v3;
+  }
+}
+
+TEST(LongestMotion, IsBoundedByTheTopSpeedWhereTheSpeedsAreOutOfReach) {
+  EXPECT_EQ(longest_motion(0.5, 4.0, 5.0, 0.0, 1.0), 2.5);
+  EXPECT_EQ(longest_motion(std::numeric_limits<double>::infinity(), 0.0, 5.0, 0.0, 1.0),
+            std::numeric_limits<double>::infinity());
+}
+
 TEST(SpeedProfile, OneLineFromRestToRest) {
   const SpeedProfile profile = speed_profile(Path{{{}, 144.0, 0.0}}, Vehicle());
   EXPECT_EQ(profile.speeds, (std::vector<double>{0.0, 0.0}));
