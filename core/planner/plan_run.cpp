@@ -31,8 +31,7 @@ PlanRun::PlanRun(const QueryContext& query, PlanWorkspace& workspace, PlanResult
       distance_((query.request.goal.position() - query.request.start.position()).norm()),
       are_turns_optimized_(optimizes_turns(query.map().vehicle, query.options.refinement)),
       best_cost_(kInfinity),
-      second_cost_(kInfinity),
-      best_rough_(kInfinity) {
+      second_cost_(kInfinity) {
   if (query.request.max_gear_changes) gear_changes_.most = *query.request.max_gear_changes;
   search_options_.ends = query.ends();
   search_options_.time_model = query.ends().is_moving() ? TimeModel::kProfile : query.options.time_model;
@@ -165,7 +164,6 @@ RefineQuery PlanRun::refine_query(const Path& path, const Vehicle& vehicle, doub
           .outlines = map_.outlines.get(),
           .ends = query_.ends(),
           .lower_bound = least_cost(),
-          .worth_optimizing = (1.0 + kRoughlySlower) * best_rough_,
           .speed_zones = map_.speed_zones.get(),
           .clearance_cost = map_.clearance_cost.get(),
           .sweep_backwards = query_.maps.in(Gear::kReverse).queries.sweep.get()};
@@ -184,7 +182,6 @@ void PlanRun::refine(const Path& path, double trials, RefineMode mode) {
     refined = refine_reversing_path(query, gear_changes_);
   } else {
     workspace_.refiner.refine(query, refined);
-    if (refined.rough_cost > 0.0) best_rough_ = std::min(best_rough_, refined.rough_cost);
   }
   count(refined, refining.seconds());
 }

@@ -263,7 +263,6 @@ class PlanRun {
   double best_cost_;    // infinite where there is none
   double second_cost_;  // of the cheapest path of another cost, not refined at length; infinite where there is none
   Unrefined second_unrefined_;
-  double best_rough_;  // least RefinedPath::rough_cost of all paths; infinite where there is none
   bool is_first_noted_ = false;
   std::uint64_t first_expanded_ = 0;  // number of expansions until the first refined path was found
   std::optional<ForwardSearch> forward_all_radii_, forward_tightest_;

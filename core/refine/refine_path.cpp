@@ -30,7 +30,6 @@ void PathRefiner::refine(const RefineQuery& query, RefinedPath& result) {
   result.path = query.path;
   result.trials = result.improvements = result.straights_checked = result.turns_checked = 0;
   result.interrupted = false;
-  result.rough_cost = 0.0;
   result.travel_time = travel_time(query.path, query.vehicle, query.ends, memory_->profile, query.speed_zones);
   if (chain_of(query.path, query.start, query.goal, memory_->first_chain))
     Refiner(query, *memory_, result).run(memory_->first_chain);

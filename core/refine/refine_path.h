@@ -24,7 +24,6 @@ void require_refinement(const RefineOptions& options);
 struct RefinedPath {
   Path path;
   double travel_time = 0.0;             ///< of `path`, by speed_profile [s]
-  double rough_cost = 0.0;              ///< of the path before all turns were optimized; 0 if they were not to be [s]
   std::uint64_t trials = 0;             ///< paths whose travel time was computed
   std::uint64_t improvements = 0;       ///< trials that were accepted: cheaper and free
   std::uint64_t straights_checked = 0;  ///< swept rectangles decided
@@ -48,8 +47,6 @@ struct RefineQuery {
   bool at_length = false;    ///< whether the path is the best one, refined before: Stage::kOptimizeAtLength
   EndSpeeds ends = {};       ///< of the path, which stay as they are
   double lower_bound = 0.0;  ///< on the cost of all paths between the poses, as far as it is known [s]
-  /// Turns are not optimized if the path costs more than this before that [s]. Another way promises more then.
-  double worth_optimizing = kInfinity;
   const SpeedZones* speed_zones = nullptr;        ///< of the world; null: none
   const ClearanceCost* clearance_cost = nullptr;  ///< of driving close to obstacles; null: time alone counts
   /// As `sweep`, where motions that are described as driven forwards are driven backwards; null: gears do not differ.

@@ -70,8 +70,7 @@ bool Refiner::optimize() {
     simplify();
   } while (!done() && take_all(Stage::kSlide));
   most_trials_ = options_.max_trials;
-  result_.rough_cost = cost_;
-  return cost_ > query_.worth_optimizing || take_all(Stage::kOptimize);
+  return take_all(Stage::kOptimize);
 }
 
 bool Refiner::optimize_at_length() {

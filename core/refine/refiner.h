@@ -48,8 +48,7 @@ class Refiner {
   void run(CircleChain& chain);
 
  private:
-  // Optimizes all turns, once it is roughly known which they are, unless that promises nothing. Returns whether that
-  // ends refinement.
+  // Optimizes all turns, once it is roughly known which they are. Returns whether that ends refinement.
   bool optimize();
   bool optimize_at_length();
   // Where turns are slower than lines however wide they are, leaving one out is a jump.

@@ -352,6 +352,33 @@ TEST(PlanSteps, LookForTheRouteOfFastTightTurns) {
   expect_faster_among_stars({2.0, 0.3, 18}, request, "1 radius, 16 x lateral acceleration", 0.92);
 }
 
+struct Cluttered {
+  const char* world;
+  std::uint64_t seed;  // of its queries
+  std::size_t number;  // of the query
+  double lateral;      // acceleration [m/s^2]
+};
+
+// A plan takes less than a share of the time that it takes without the search for turns that are nearly as fast as
+// lines.
+void expect_faster_by_fast_turns(const Cluttered& of, double share) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{of.lateral}, .max_acceleration = 2.0});
+  const World world = catalog_world(of.world);
+  const PlanRequest request = catalog_queries(of.world, of.number + 1, of.seed)[of.number];
+  const PlannerOptions lazy{.graph_mode = GraphMode::kLazy};
+  PlannerOptions without = lazy;
+  without.leave_out = {"2 radii, 16 x lateral acceleration"};
+  const PlanResult all = Planner(world, vehicle, lazy).plan(request);
+  const PlanResult few = Planner(world, vehicle, without).plan(request);
+  ASSERT_TRUE(all.solved() && few.solved());
+  EXPECT_LT(all.travel_time, share * few.travel_time) << of.world;
+}
+
+// The path that is faster once its turns are optimized takes twice as long as the best one before that.
+TEST(PlanSteps, OptimizeTheTurnsOfAPathThatIsFarDearerBefore) {
+  expect_faster_by_fast_turns({"clutter/star/n300/m10/f30/s1", 202, 6, 4.0}, 0.95);
+}
+
 // Only the search that must not turn around an obstacle as the best path does finds the way of the plan.
 TEST(PlanSteps, PassAnObstacleOnItsOtherSide) {
   const PlanRequest request{.start = {46.6, 46.6, -2.56}, .goal = {11.8, 28.7, 0.64}};

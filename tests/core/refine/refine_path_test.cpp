@@ -333,23 +333,6 @@ TEST(RefinePath, LeavesPathsAtTheirLowerBoundAlone) {
   }
 }
 
-TEST(RefinePath, OptimizesNoTurnsOfAPathThatPromisesLess) {
-  const OptimizedPlans plans;
-  for (const auto& [request, path] : cluttered_plans(plans.world, 5)) {
-    EXPECT_EQ(refine_path({path, request.start, request.goal, plans.vehicle, *plans.queries.sweep}).rough_cost, 0.0);
-    RefineQuery query = plans.query(request, path);
-    const RefinedPath optimized = refine_path(query);
-    EXPECT_LT(optimized.travel_time, optimized.rough_cost);
-    query.worth_optimizing = 0.9999 * optimized.rough_cost;
-    const RefinedPath rough = refine_path(query);
-    EXPECT_EQ(rough.rough_cost, optimized.rough_cost);
-    EXPECT_EQ(rough.travel_time, optimized.rough_cost);
-    EXPECT_LT(rough.trials, optimized.trials);
-    query.worth_optimizing = optimized.rough_cost;
-    EXPECT_EQ(refine_path(query).travel_time, optimized.travel_time);
-  }
-}
-
 // No faster on wider arcs, by a table: no optimization, so outlines change nothing.
 TEST(RefinePath, OutlinesChangeNothingForVehiclesThatAreNotServed) {
   const Vehicle vehicle({.turn_speed = TurnSpeedTable{{{0.5, 1.0}, {1.2, 3.0}}}});
