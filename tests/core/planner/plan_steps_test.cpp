@@ -379,6 +379,11 @@ TEST(PlanSteps, OptimizeTheTurnsOfAPathThatIsFarDearerBefore) {
   expect_faster_by_fast_turns({"clutter/star/n300/m10/f30/s1", 202, 6, 4.0}, 0.95);
 }
 
+// The gap is 63 % there.
+TEST(PlanSteps, LookForFastTightTurnsFarFromTheBound) {
+  expect_faster_by_fast_turns({"clutter/convex/n100/m10/f45/s1", 101, 1, 2.0}, 0.99);
+}
+
 // Only the search that must not turn around an obstacle as the best path does finds the way of the plan.
 TEST(PlanSteps, PassAnObstacleOnItsOtherSide) {
   const PlanRequest request{.start = {46.6, 46.6, -2.56}, .goal = {11.8, 28.7, 0.64}};
