@@ -370,9 +370,8 @@ inline constexpr StrategyRow kStrategy[] = {
     // slower than the one that trials find, mostly no row has proposed the way. Measured on 309 plans of three robots,
     // the last three rows, with kRefinedFaster at 0.2 instead of 0.04, take a seventh of all the time. They make
     // 20 plans faster by 0.3 % or more, 5 of them by 5 % or more, and 6 slower by 0.3 % or more. What such a path costs
-    // before its turns are optimized tells little of what it costs then: of 102 plans among 300 obstacles, 9 are
-    // faster,
-    // by up to 8 %, as the turns of those that were a fifth dearer than the best one by then are optimized as well.
+    // before its turns are optimized tells little of what it costs then. If turns of paths that are a fifth dearer by
+    // then than the best one are left as they are, 9 of 102 plans among 300 obstacles are slower, by up to 8 %.
     {"3 radii, 4 x lateral acceleration", kFewOtherRadii,
      TryOtherRadii{.radii = 3, .factor = 4.0, .slower = kRefinedFaster}, kUntilCompared},
     {"2 radii, 16 x lateral acceleration", kFewOtherRadii,

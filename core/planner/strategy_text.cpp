@@ -141,7 +141,7 @@ struct StepText {
   std::string operator()(const JoinBetweenGears& step) const {
     std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees" : "";
     if (step.few && step.few_from < std::numeric_limits<std::size_t>::max())
-      few += " and on a map of more than " + std::to_string(step.few_from) + " vertices";
+      few += " or on a map of more than " + std::to_string(step.few_from) + " vertices";
     if (step.few) few += ",";
     return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) + few +
            " poses of each end, cells of 1/" + shortest_text(step.attachments.cells) + " turning radius";
