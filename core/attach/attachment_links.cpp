@@ -18,10 +18,6 @@ namespace {
 
 constexpr double kLengthRounding = 1e-9;  // share of a length that rounding may change
 
-bool before(const AttachmentLinks::NearPiece& a, const AttachmentLinks::NearPiece& b) {
-  return a.distance < b.distance || (a.distance == b.distance && a.first < b.first);
-}
-
 // The longest way between the other end and the center of an attachment's circle.
 double longest_way(const LengthLimit& limit, const TurnCircle& own) {
   return limit.length * (1.0 + kLengthRounding) + own.radius;
@@ -60,7 +56,7 @@ class CircleLinks {
           for (const CirclePlaces::Group& group : map_.places->of(index).groups) circles += group.last - group.first;
         });
     horizon_.finish();
-    if (circles > limit_.most_links) std::ranges::sort(pieces, before);
+    if (circles > limit_.most_links) std::ranges::sort(pieces);
   }
 
   // Calls found(circle, line, turn) for each straight between this circle and those of a piece.

@@ -35,13 +35,13 @@ std::size_t links_a_circle(std::size_t vertices, std::size_t known_links, std::s
   return std::max(kLeastLinks, left / 2 / std::max<std::size_t>(new_circles, 1));
 }
 
-// Upper bound on the length of paths that are wanted [m].
+// Upper bound on the length of paths that are wanted [m]. Precondition: no end speed is negative.
 double longest_path(const SearchContext& context) {
   const SearchOptions& options = context.options;
   const double time = options.faster_than * (1.0 + kTimeRounding), top = context.vehicle.top_speed();
   if (options.time_model != TimeModel::kProfile) return time * top;
   const double a = context.vehicle.max_acceleration();
-  return longest_motion(time, std::abs(options.ends.start), top, std::abs(options.ends.goal), a);
+  return longest_motion(time, options.ends.start, top, options.ends.goal, a);
 }
 
 // Whether the poses of `all` begin with `some`.
