@@ -16,7 +16,6 @@
 namespace arcway::internal {
 
 void PlanRun::take(const TryOtherWays& step, double trials) {
-  if (!is_worth_memory()) return;
   struct Kind {
     std::variant<GrowSlimTrees, GrowTrees> trees;
     bool finds_new = true;

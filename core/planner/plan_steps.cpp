@@ -397,8 +397,8 @@ void PlanRun::take(const JoinBackwards&, double) {
 void PlanRun::take(const JoinBetweenGears& step, double) {
   ReversingSearch& reversing = reversing_search();
   const bool are_beside_trees = !is_forward_found_ && reversing.path() && grown_ == reversing.found();
-  const bool are_few = step.few && (are_beside_trees || map_.world.vertices().size() > step.few_from);
-  search([&] { return reversing.join_between(are_few ? *step.few : step.attachments); });
+  const bool are_few = step.few && (are_beside_trees || map_.world.vertices().size() > step.few->vertices);
+  search([&] { return reversing.join_between(are_few ? step.few->attachments : step.attachments); });
 }
 
 template <class Grow>

@@ -65,7 +65,7 @@ inline constexpr std::size_t kSmallMap = 2'000;
 // Largest number of vertices of a map where circles in gaps are looked at for a faster path. On one of 40,000, they
 // took a third of the time of six plans, and made none faster.
 inline constexpr std::size_t kMediumMap = 20'000;
-// The pass of trees of the first of them. It solves 32 of these 46 worlds, a quarter of its poses 25.
+// The pass of trees of the first one of kSlimBodies. It solves 32 of these 46 worlds, a quarter of its poses 25.
 inline constexpr std::array<TreePass, 1> kSlimPasses{{{1.0 / 64.0, 4, 0.8, false}}};
 // A fiftieth of that, where a path is known. Of 40 queries beside walls in both gears, a sixteenth makes 6 faster, by
 // up to 6 %, for a fifth more time.
@@ -146,8 +146,8 @@ constexpr When other_radii(double most_gap) {
           .most_gap = most_gap};
 }
 inline constexpr When kOtherRadii = other_radii(kTooFarForRadii);
-// As that, for tight turns driven fast. Of 83 plans among obstacles with a gap of 0.4 to 0.8, they make 14 faster, by
-// up to 10 %, for 4 % of the time of 927 plans.
+// As that, for tight turns driven fast. Of 87 plans among obstacles with a gap of 0.4 to 0.8, they make 15 faster, by
+// up to 10 %, for 3 % of the time of all 954.
 inline constexpr When kFewOtherRadii = other_radii(0.8);
 // Largest gap at which turns of another vehicle are tried, where there is one radius. Of 240 driven worlds with a
 // larger one, they make 1 faster, by 0.1 %.
@@ -242,9 +242,8 @@ inline constexpr StrategyRow kStrategy[] = {
     {"lower bound around obstacles", {.known = Known::kPath, .driving = Driving::kBothGears}, RaiseLowerBound{}},
     {"roadmap backwards", {.driving = Driving::kBothGears, .quick_parts = true, .slim_body = true}, JoinBackwards{}},
     // The way out of a narrow place. Of 143 driven worlds it makes 3 faster whose gap is below 0.3, by up to 3.6 %.
-    // More poses make no plan faster. Where no path is known, trees find one sooner in two of three driven worlds. Of
-    // 34
-    // whose path that is driven forwards has a gap below 0.3, it makes none faster.
+    // More poses make no plan faster. Where no path is known, trees find one sooner in two of three driven worlds.
+    // Beside a path that is driven forwards with a gap below 0.3, it makes none of 34 faster.
     {"changes of gear near the ends",
      {.known = Known::kPath, .driving = Driving::kBothGears, .slim_body = true, .gap = 0.3, .best_gap = 0.3},
      JoinBetweenGears{{.cells = 8.0, .most = 12, .most_expansions = 100}}},
@@ -416,14 +415,12 @@ inline constexpr StrategyRow kStrategy[] = {
     // Places to turn further away. Tried in full in 226 driven worlds, they made 16 faster, none of a gap below 0.37,
     // and the catalog's car park from 0.36 on. Few of them find about as much where trees have looked before. With half
     // as many, 6 of 794 are slower, by up to 7 %, and 5 faster, by up to 1 %. Beside a path that is driven forwards
-    // with
-    // a gap below 0.34, they make none of 23 faster. Among 1,000 obstacles, few of them take a quarter of the time of
-    // all, and of 40 plans of a car two are faster, by 2 %.
+    // with a gap below 0.34, they make none of 23 faster. Among 1,000 obstacles, few of them take a third of the time
+    // of all, and of 40 plans of a car two are faster, by 2 %.
     {"changes of gear further away",
      {.driving = Driving::kBothGears, .slim_body = true, .gap = 0.34, .best_gap = 0.34},
      JoinBetweenGears{.attachments = {.cells = 2.0, .most = 99, .most_expansions = 1000},
-                      .few = GearAttachments{.cells = 2.0, .most = 24, .most_expansions = 240},
-                      .few_from = kSmallMap}},
+                      .few = FewGearAttachments{{.cells = 2.0, .most = 24, .most_expansions = 240}, kSmallMap}}},
     {"refinement in both gears", {.driving = Driving::kBothGears}, RefineBothGears{}},
     // What is found first may turn in the wrong place, and refinement leaves it there. Trees of a smaller weight go
     // another way. Of 400 driven worlds, few of them from a gap of 0.6 on make 1 faster, by 14 %, which was slower than

@@ -194,12 +194,15 @@ struct RefineBest {
 struct JoinArcs {};
 /// Looks for a path on the roadmap that is driven backwards all the way.
 struct JoinBackwards {};
+/// Fewer attachments, where trees in both gears have found the only path, and on maps of more vertices.
+struct FewGearAttachments {
+  GearAttachments attachments;
+  std::size_t vertices;
+};
 /// Looks for a path on the roadmap with changes of gear near both ends.
 struct JoinBetweenGears {
   GearAttachments attachments;
-  /// Fewer of them, where trees in both gears have found the only path, and on maps of more than `few_from` vertices.
-  std::optional<GearAttachments> few = {};
-  std::size_t few_from = std::numeric_limits<std::size_t>::max();
+  std::optional<FewGearAttachments> few = {};
 };
 /// Grows trees of motions in both gears: search_gears.
 struct GrowGearTrees {
@@ -222,7 +225,7 @@ struct GrowSlimGearTrees {
 };
 /// Looks for paths of other ways, driven forwards: trees keep off those so far, see RouteQuery. In each round, trees of
 /// the first slim body and of the body grow as those of GrowSlimTrees and GrowTrees do. A kind that found no path of a
-/// new cost in the round before is left out. None on maps of more than PlanMaps::kNarrowVertices vertices.
+/// new cost in the round before is left out.
 struct TryOtherWays {
   std::span<const TreePass> passes;
   std::size_t rounds;         ///< the best path is avoided once more in each

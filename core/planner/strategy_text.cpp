@@ -139,10 +139,10 @@ struct StepText {
   std::string operator()(const JoinArcs&) const { return "drive the best path in fewer arcs, and refine it further"; }
   std::string operator()(const JoinBackwards&) const { return "join the roadmap by single arcs, driven backwards"; }
   std::string operator()(const JoinBetweenGears& step) const {
-    std::string few = step.few ? ", or " + std::to_string(step.few->most) + " beside a path of trees" : "";
-    if (step.few && step.few_from < std::numeric_limits<std::size_t>::max())
-      few += " or on a map of more than " + std::to_string(step.few_from) + " vertices";
-    if (step.few) few += ",";
+    std::string few;
+    if (step.few)
+      few = ", or " + std::to_string(step.few->attachments.most) + " beside a path of trees or on a map of more than " +
+            std::to_string(step.few->vertices) + " vertices,";
     return "join the roadmap by motions in both gears: " + std::to_string(step.attachments.most) + few +
            " poses of each end, cells of 1/" + shortest_text(step.attachments.cells) + " turning radius";
   }
