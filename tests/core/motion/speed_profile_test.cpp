@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <span>
 #include <stdexcept>
@@ -82,13 +83,22 @@ TEST(SegmentPhases, TopSpeedNotReached) {
   EXPECT_DOUBLE_EQ(phases.braking, 2.5);
 }
 
+// Speeds of a motion that reaches them [m/s], and its acceleration [m/s^2].
+struct RandomMotion {
+  explicit RandomMotion(std::mt19937& random)
+      : top(0.1 + 10.0 * any(random)), a(0.5 + 5.0 * any(random)), v1(top * any(random)), v3(top * any(random)) {}
+  [[nodiscard]] double least_length() const { return std::abs(v1 * v1 - v3 * v3) / (2.0 * a); }
+
+  std::uniform_real_distribution<double> any{0.0, 1.0};
+  double top, a, v1, v3;
+};
+
 TEST(SegmentPhases, AddUpToLengthAndTime) {
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> any(0.0, 1.0);
   for (int i = 0; i < 1000; ++i) {
-    const double top = 0.1 + 10.0 * any(random), a = 0.5 + 5.0 * any(random);
-    const double v1 = top * any(random), v3 = top * any(random);
-    const double length = std::abs(v1 * v1 - v3 * v3) / (2.0 * a) * (1.0 + 1e-12) + 10.0 * std::pow(any(random), 8.0);
+    RandomMotion motion(random);
+    auto& [any, top, a, v1, v3] = motion;
+    const double length = motion.least_length() * (1.0 + 1e-12) + 10.0 * std::pow(any(random), 8.0);
     const auto [peak, accelerating, holding, braking] = segment_phases(length, v1, top, v3, a);
     EXPECT_LE(peak, top);
     EXPECT_NEAR(accelerating + holding + braking, length, 1e-14 * (length + top * top / a));
@@ -99,11 +109,10 @@ TEST(SegmentPhases, AddUpToLengthAndTime) {
 
 TEST(LongestMotion, TakesTheTime) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int i = 0; i < 1000; ++i) {
-    const double top = 0.1 + 20.0 * share(random), a = 0.1 + 5.0 * share(random);
-    const double v1 = top * share(random), v3 = top * share(random);
-    const double least = std::abs(v1 * v1 - v3 * v3) / (2.0 * a), length = least + 50.0 * share(random);
+    RandomMotion motion(random);
+    auto& [any, top, a, v1, v3] = motion;
+    const double length = motion.least_length() + 50.0 * any(random);
     const double time = relaxed_segment_time(length, v1, top, v3, a);
     EXPECT_NEAR(longest_motion(time, v1, top, v3, a), length, 1e-9 * (1.0 + length)) << top << ' ' << v1 << ' ' << v3;
   }

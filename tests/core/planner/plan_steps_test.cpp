@@ -327,6 +327,24 @@ std::vector<std::string> trees_for_other_routes() {
   return {"trees of a slim body, for a faster path", "other ways by trees"};
 }
 
+// A query of a robot of a lateral acceleration [m/s^2], and the row that finds a faster path.
+struct FasterByRow {
+  World world;
+  double lateral;
+  PlanRequest request;
+  std::string row;
+};
+
+// A plan takes less than a share of the time that it takes without its row.
+void expect_faster_by_row(const FasterByRow& of, double share, PlannerOptions options) {
+  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{of.lateral}, .max_acceleration = 2.0});
+  const PlanResult all = Planner(of.world, vehicle, options).plan(of.request);
+  options.leave_out.push_back(of.row);
+  const PlanResult few = Planner(of.world, vehicle, options).plan(of.request);
+  ASSERT_TRUE(all.solved() && few.solved());
+  EXPECT_LT(all.travel_time, share * few.travel_time);
+}
+
 struct Stars {
   double lateral, fill;  // acceleration [m/s^2], share of the area
   std::uint64_t seed;
@@ -334,15 +352,9 @@ struct Stars {
 
 // A plan among stars takes less than a share of the time that it takes without a row, both without trees.
 void expect_faster_among_stars(const Stars& of, const PlanRequest& request, const std::string& row, double share) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{of.lateral}, .max_acceleration = 2.0});
   const World world =
       random_world({.kind = ClutterKind::kStar, .obstacles = 30, .vertices = 8, .fill = of.fill, .seed = of.seed});
-  std::vector<std::string> leave_out = trees_for_other_routes();
-  const PlanResult all = Planner(world, vehicle, {.leave_out = leave_out}).plan(request);
-  leave_out.push_back(row);
-  const PlanResult few = Planner(world, vehicle, {.leave_out = std::move(leave_out)}).plan(request);
-  ASSERT_TRUE(all.solved() && few.solved());
-  EXPECT_LT(all.travel_time, share * few.travel_time);
+  expect_faster_by_row({world, of.lateral, request, row}, share, {.leave_out = trees_for_other_routes()});
 }
 
 // Without trees of a slim body, only the search for a vehicle whose tightest turns are nearly as fast as lines finds
@@ -362,16 +374,10 @@ struct Cluttered {
 // A plan takes less than a share of the time that it takes without the search for turns that are nearly as fast as
 // lines.
 void expect_faster_by_fast_turns(const Cluttered& of, double share) {
-  const Vehicle vehicle({.turn_speed = LateralAccelerationLimit{of.lateral}, .max_acceleration = 2.0});
-  const World world = catalog_world(of.world);
+  SCOPED_TRACE(of.world);
   const PlanRequest request = catalog_queries(of.world, of.number + 1, of.seed)[of.number];
-  const PlannerOptions lazy{.graph_mode = GraphMode::kLazy};
-  PlannerOptions without = lazy;
-  without.leave_out = {"2 radii, 16 x lateral acceleration"};
-  const PlanResult all = Planner(world, vehicle, lazy).plan(request);
-  const PlanResult few = Planner(world, vehicle, without).plan(request);
-  ASSERT_TRUE(all.solved() && few.solved());
-  EXPECT_LT(all.travel_time, share * few.travel_time) << of.world;
+  expect_faster_by_row({catalog_world(of.world), of.lateral, request, "2 radii, 16 x lateral acceleration"}, share,
+                       {.graph_mode = GraphMode::kLazy});
 }
 
 // The path that is faster once its turns are optimized takes twice as long as the best one before that.
