@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "arcway/angle.h"
 #include "core/attach/circle_places.h"
@@ -56,7 +57,8 @@ class CircleLinks {
           for (const CirclePlaces::Group& group : map_.places->of(index).groups) circles += group.last - group.first;
         });
     horizon_.finish();
-    if (circles > limit_.most_links) std::ranges::sort(pieces);
+    if (circles > limit_.most_links)
+      std::ranges::sort(pieces, {}, [](const auto& piece) { return std::pair(piece.distance, piece.first); });
   }
 
   // Calls found(circle, line, turn) for each straight between this circle and those of a piece.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -84,12 +83,11 @@ class AttachmentLinks {
   bool append_links(const PathEnd& end, std::span<const AttachmentCircle> circles, std::uint32_t index,
                     const LengthLimit& limit, HugeVector<AttachmentLink>& links);
 
-  /// A piece of outline near a circle. Near ones come first.
+  /// A piece of outline near a circle.
   struct NearPiece {
     double distance;      ///< of its box from the circle's center [m]
     VertexId first;       ///< see Outlines::Piece
     std::uint32_t index;  ///< among the outlines
-    friend auto operator<=>(const NearPiece&, const NearPiece&) = default;
   };
 
  private:
