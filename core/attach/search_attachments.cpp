@@ -1,7 +1,6 @@
 #include "core/attach/search_attachments.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

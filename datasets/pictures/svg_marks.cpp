@@ -1,8 +1,7 @@
-// Members of SvgPicture for marks on a map: poses and places with their labels, axes, numbers of obstacles, and an inset.
+// Members of SvgPicture for marks on a map: poses and places with labels, axes, numbers of obstacles, an inset.
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -90,13 +89,14 @@ void SvgPicture::add_axes() {
   constexpr double kCorner = 48.0;                                    // kept free of marks [px]
   const double step = round_step(kSpace / scale_);
   const double left = 0.5 * kBorder, bottom = height_ - 0.5 * kBorder;
-  for (double i = std::ceil(view_.min.x() / step); i * step <= view_.max.x(); ++i) {
-    const double x = to_picture({i * step, view_.min.y()}).x();
-    if (x > left + kCorner && x < width_ - kCorner) add_tick({x, bottom}, {0.0, -kTick}, i * step);
+  const Vec2 first = (view_.min / step).array().ceil();
+  for (int i = 0; (first.x() + i) * step <= view_.max.x(); ++i) {
+    const double meters = (first.x() + i) * step, x = to_picture({meters, view_.min.y()}).x();
+    if (x > left + kCorner && x < width_ - kCorner) add_tick({x, bottom}, {0.0, -kTick}, meters);
   }
-  for (double i = std::ceil(view_.min.y() / step); i * step <= view_.max.y(); ++i) {
-    const double y = to_picture({view_.min.x(), i * step}).y();
-    if (y > kCorner && y < bottom - kCorner) add_tick({left, y}, {kTick, 0.0}, i * step);
+  for (int i = 0; (first.y() + i) * step <= view_.max.y(); ++i) {
+    const double meters = (first.y() + i) * step, y = to_picture({view_.min.x(), meters}).y();
+    if (y > kCorner && y < bottom - kCorner) add_tick({left, y}, {kTick, 0.0}, meters);
   }
   const double bar = round_step(std::min(kLongestBar, 0.4 * width_) / scale_), pixels = bar * scale_;
   const Vec2 end(width_ - kBorder - 4.0, bottom - 30.0), begin = end - Vec2(pixels, 0.0);

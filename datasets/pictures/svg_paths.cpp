@@ -27,6 +27,16 @@ constexpr std::string_view kAlternativeColors[] = {"#0072b2", "#009e73", "#cc79a
 constexpr double kSpeedColors = 40.0;  // steps of color from rest to the highest speed
 constexpr double kDriven = 10.0;       // between points of a path that are counted in corners [px]
 
+// Marks what is driven backwards, at so many pixels a meter.
+std::string dashes(double scale) {
+  return " stroke-dasharray=\"" + shortest_text(7.0 / scale) + ' ' + shortest_text(4.0 / scale) + '"';
+}
+
+// The pose after so many of equal steps along a segment.
+Pose pose_along(const PathSegment& segment, int step, int steps) {
+  return segment.at(segment.length * (static_cast<double>(step) / static_cast<double>(steps)));
+}
+
 // What a convex polygon sweeps on its way along +x.
 std::vector<Vec2> driven_ahead(const Ring& piece, double length) {
   std::vector<Vec2> to, prism;
@@ -50,10 +60,10 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies, const Co
     const double turn = std::abs(segment.length * segment.curvature);
     const double pixels = segment.is_line() ? 0.0 : scale_ / std::abs(segment.curvature);
     // A chord leaves its arc by radius * angle^2 / 8: at most 0.05 px.
-    const double steps = std::clamp(std::ceil(turn * std::sqrt(pixels / 0.4)), 1.0, 1000.0);
-    for (double i = 1.0; i <= steps; ++i) {
+    const auto steps = static_cast<int>(std::clamp(std::ceil(turn * std::sqrt(pixels / 0.4)), 1.0, 1000.0));
+    for (int i = 1; i <= steps; ++i) {
       line += 'L';
-      append_point(line, segment.at(segment.length * (i / steps)).position());
+      append_point(line, pose_along(segment, i, steps).position());
     }
   }
   // Bodies that can be seen lie above a thin line; a light edge sets off the line where they cannot.
@@ -61,7 +71,7 @@ void SvgPicture::add_run(std::span<const PathSegment> run, bool bodies, const Co
   const bool forward = run.front().gear == Gear::kForward;
   backwards_ = backwards_ || !forward;
   path_ += "<path d=\"" + line + "\" " + stroke(forward ? colors.forward : colors.reverse, bodies ? 1.8 : 2.6);
-  if (!forward) path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
+  if (!forward) path_ += dashes(scale_);
   path_ += "/>\n";
 }
 
@@ -141,8 +151,8 @@ void SvgPicture::add_swept_area(std::span<const PathSegment> path, const Body& b
     const double radius = 1.0 / std::abs(segment.curvature);
     const double reach = swept_annulus(body, segment.curvature > 0.0 ? Side::kLeft : Side::kRight, radius).outer;
     const double turn = segment.length / radius;
-    const double steps = std::clamp(std::ceil(turn * reach * scale_), 1.0, 2000.0);
-    for (double i = 0.0; i <= steps; ++i) add_outline(swept_, segment.at(segment.length * (i / steps)), body, 0.0);
+    const auto steps = static_cast<int>(std::clamp(std::ceil(turn * reach * scale_), 1.0, 2000.0));
+    for (int i = 0; i <= steps; ++i) add_outline(swept_, pose_along(segment, i, steps), body, 0.0);
   }
   swept_ += "\"/>\n";
 }
@@ -168,8 +178,7 @@ void SvgPicture::add_speeds(const Trajectory& trajectory) {
       append_point(path_, states[i].pose.position());
     }
     path_ += "\" " + stroke(viridis(step / kSpeedColors), 3.0);
-    if (gear == Gear::kReverse)
-      path_ += " stroke-dasharray=\"" + shortest_text(7.0 / scale_) + ' ' + shortest_text(4.0 / scale_) + '"';
+    if (gear == Gear::kReverse) path_ += dashes(scale_);
     path_ += "/>\n";
   }
   legend_ = "<linearGradient id=\"speeds\">";
